@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::core
+{
+/// Share of a piece of tether that is under water, and its derivative with depth.
+struct Submersion
+{
+  double share;  ///< phi [-], 0 above the surface, 1 below it.
+  double slope;  ///< -d phi / dz [1/m], >= 0.
+};
+
+/**
+ * Submerged share of the piece of tether that one integration point stands for.
+ *
+ * Model: (M8) of doc/model.md. The piece spans the heights z +- extent/2; the share below the surface is linear in
+ * between. So a tether that pierces the surface feels the place of the waterline, not the place of the points.
+ *
+ * @param z       height of the point above the water surface [m].
+ * @param extent  vertical extent of the piece [m], > 0.
+ */
+inline Submersion submersion(double z, double extent)
+{
+  const double share = 0.5 - z / extent;
+  if (share <= 0.0)
+    return {0.0, 0.0};
+  if (share >= 1.0)
+    return {1.0, 0.0};
+  return {share, 1.0 / extent};
+}
+
+}  // namespace tether_monitor::core

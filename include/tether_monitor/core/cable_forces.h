@@ -1,0 +1,40 @@
+#pragma once
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/cable_state.h"
+
+namespace tether_monitor::core
+{
+/// Forces exerted by the tether on what holds its ends, world frame [N].
+struct EndForces
+{
+  Vector3 vessel = Vector3::Zero();
+  Vector3 vehicle = Vector3::Zero();
+};
+
+/// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight, drag
+/// and inertia of the tether, and are far more accurate than EA eps there.
+EndForces endForces(const CableModel& model, const CableState& state);
+
+/// What is reported along the tether. Vectors have one entry a station, from the vessel end to the vehicle end.
+/// Stations: every node and the middle of every element, 2 N + 1 in all.
+struct StationField
+{
+  std::vector<double> s;            ///< unstretched arc length [m].
+  std::vector<Vector3> position;    ///< [m].
+  std::vector<double> tension;      ///< physical effective tension [N], > 0 in pull, (M14).
+  std::vector<double> strain;       ///< engineering strain |r'| - 1 that belongs to the tension [-].
+  std::vector<double> bend_radius;  ///< [m]; infinity where straight, (M18).
+  EndForces ends;
+  double stretched_length = 0.0;  ///< integral of |r'| [m].
+  double largest_turn = 0.0;      ///< largest change of direction over one element [rad].
+
+  StationField() = default;
+  /// Room for the stations of a model with `elements` elements.
+  explicit StationField(int elements);
+};
+
+/// Fills `field` (made for this model's element count) from a state; allocates nothing.
+void computeStations(const CableModel& model, const CableState& state, StationField& field);
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tether_monitor/core/types.h"
+
+namespace tether_monitor::core
+{
+/// Water velocity by depth: linear between the given depths, constant beyond the first and the last.
+class CurrentProfile
+{
+ public:
+  /// Velocity of the water, world frame [m/s], at a depth below the still water surface [m], positive down.
+  struct Sample
+  {
+    double depth;
+    Vector3 velocity;
+  };
+
+  /// Still water.
+  CurrentProfile() = default;
+  /// The same velocity [m/s] everywhere.
+  explicit CurrentProfile(const Vector3& velocity);
+  /// @param samples  in order of strictly increasing depth, finite; empty means still water.
+  /// @throws std::invalid_argument naming each sample that is out of order or not finite.
+  explicit CurrentProfile(std::vector<Sample> samples);
+
+  /// Velocity [m/s] at height z [m] (depth = -z; above the surface as at the first sample).
+  Vector3 at(double z) const;
+
+  const std::vector<Sample>& samples() const { return samples_; }
+
+ private:
+  std::vector<Sample> samples_;
+};
+
+/// What makes `samples` no profile, one sentence each.
+std::vector<std::string> problems(const std::vector<CurrentProfile::Sample>& samples);
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "tether_monitor/core/types.h"
+
+namespace tether_monitor::core
+{
+/// Position [m] and velocity [m/s] of a tether end at one time, world frame.
+struct EndPoint
+{
+  Vector3 position = Vector3::Zero();
+  Vector3 velocity = Vector3::Zero();
+};
+
+/// Motion of a held end over a stretch of time: a cubic in time, continuous in position and velocity, (M17).
+class EndPath
+{
+ public:
+  EndPath() = default;
+
+  /// The cubic Hermite path from `from` at time t0 to `to` at time t1 [s]; t1 > t0.
+  static EndPath between(double t0, const EndPoint& from, double t1, const EndPoint& to);
+  /// Uniform motion through `point` at time t0.
+  static EndPath uniform(double t0, const EndPoint& point);
+
+  Vector3 position(double t) const;
+  Vector3 velocity(double t) const;
+  Vector3 acceleration(double t) const;
+  EndPoint at(double t) const { return {position(t), velocity(t)}; }
+
+ private:
+  double t0_ = 0.0;
+  // Coefficients of 1, x, x^2, x^3 with x = t - t0.
+  Eigen::Matrix<double, 3, 4> c_ = Eigen::Matrix<double, 3, 4>::Zero();
+};
+
+/// Paths of both held ends over the same stretch of time.
+struct EndPaths
+{
+  EndPath vessel;
+  EndPath vehicle;
+};
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/newton_options.h"
+#include "tether_monitor/core/solve_report.h"
+
+namespace tether_monitor::core
+{
+/// Ends between which a steady state is wanted: both move with the same constant velocity.
+struct SteadyEnds
+{
+  Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
+  Vector3 vehicle = Vector3::Zero();   ///< position of the vehicle end [m].
+  Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
+};
+
+/// Bounds of the search for a steady state.
+struct StaticsOptions
+{
+  int max_iterations = 1000;  ///< Newton iterations of one search, >= 1; a failed search is repeated by way of a stiffer tether.
+  NewtonOptions newton{1e-8, 30};
+};
+
+/**
+ * Steady shape of a tether between two held ends ("solution setting"), from any positions of the ends.
+ *
+ * Model: (M16) of doc/model.md. The overdamped motion D dq/dtau + R(q) = 0 with backward Euler steps that grow as the
+ * residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's method on R = 0.
+ */
+class Statics
+{
+ public:
+  /// @param nodes  nodes of the model, >= 2. All memory is taken here.
+  explicit Statics(int nodes, const StaticsOptions& options = StaticsOptions());
+
+  /**
+   * @param shape  out: the steady coordinates; unchanged unless the report says converged.
+   * @return       status; FALSE_BRANCH if the equilibrium found is folded. Never throws.
+   */
+  SolveReport solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
+
+  /// As solve(), starting from the curve in `shape`, whose ends are moved to `ends`.
+  SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
+
+ private:
+  SolveReport flow(const CableModel& model, double& tau, int& iterations_left);
+
+  StaticsOptions options_;
+  NodeField q_, start_, v_, a_, residual_;
+  BlockTridiagonal tangent_;
+};
+
+}  // namespace tether_monitor::core

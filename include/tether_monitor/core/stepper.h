@@ -1,0 +1,49 @@
+#pragma once
+
+#include "tether_monitor/core/integrator.h"
+
+namespace tether_monitor::core
+{
+/// Bounds of the automatic step control.
+struct StepperOptions
+{
+  double step = 0.05;           ///< [s], > 0: largest step.
+  double spectral_radius = 0.6; ///< rho_inf [-], 0..1.
+  int max_halvings = 10;        ///< >= 0: smallest step is step / 2^max_halvings.
+  int max_iterations = 400;     ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
+  NewtonOptions newton;
+};
+
+/// Every bound of StepperOptions that `options` violates, one sentence each.
+std::vector<std::string> problems(const StepperOptions& options);
+
+/**
+ * Advances a tether over any stretch of time with steps that halve when Newton's iteration fails and grow again after.
+ *
+ * A failed step leaves no trace: the state before it is kept. The cost of a call is bounded by StepperOptions. Allocates
+ * only in the constructor.
+ */
+class Stepper
+{
+ public:
+  /// @throws std::invalid_argument listing violated bounds.
+  Stepper(int nodes, const StepperOptions& options);
+
+  /**
+   * Steps `state` to time t_end.
+   *
+   * @param ends   paths of the held ends, valid from state.time to t_end.
+   * @param t_end  [s]; not before state.time (equal: nothing happens).
+   * @param state  in and out; on failure the last state that converged, at its own time.
+   * @return       sums over the call; BUDGET_SPENT or the failure of the smallest step if t_end was not reached.
+   */
+  SolveReport advance(const CableModel& model, const EndPaths& ends, double t_end, CableState& state);
+
+  const StepperOptions& options() const { return options_; }
+
+ private:
+  StepperOptions options_;
+  GeneralizedAlpha integrator_;
+};
+
+}  // namespace tether_monitor::core

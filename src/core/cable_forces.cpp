@@ -1,0 +1,101 @@
+#include "tether_monitor/core/cable_forces.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tether_monitor/core/quadrature.h"
+#include "tether_monitor/core/shape_functions.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+Vector3 direction(const NodeCoords& node)
+{
+  const Vector3 slope = node.tail<3>();
+  const double norm = slope.norm();
+  return norm > 1e-9 ? Vector3(slope / norm) : Vector3::Zero();
+}
+
+double radiusOfCurvature(const Vector3& slope, const Vector3& curvature)
+{
+  const double turn = slope.cross(curvature).norm();
+  const double stretch = slope.norm();
+  return turn > 0.0 ? stretch * stretch * stretch / turn : std::numeric_limits<double>::infinity();  // (M18)
+}
+
+double engineeringStrain(const AxialParameters& axial, double tension)
+{
+  return std::sqrt(std::max(1.0 + 2.0 * strainOfTension(axial, tension), 0.0)) - 1.0;
+}
+}  // namespace
+
+EndForces endForces(const CableModel& model, const CableState& state)
+{
+  const ElementCoords first = model.elementResidualOf(0, state.q, state.v, state.a);
+  const ElementCoords last = model.elementResidualOf(model.elements() - 1, state.q, state.v, state.a);
+  return {-first.segment<3>(0), -last.segment<3>(6)};  // (M13)
+}
+
+StationField::StationField(int elements)
+{
+  const std::size_t n = 2 * elements + 1;
+  s.assign(n, 0.0);
+  position.assign(n, Vector3::Zero());
+  tension.assign(n, 0.0);
+  strain.assign(n, 0.0);
+  bend_radius.assign(n, 0.0);
+}
+
+void computeStations(const CableModel& model, const CableState& state, StationField& field)
+{
+  const int N = model.elements();
+  field.stretched_length = 0.0;
+  field.largest_turn = 0.0;
+  Vector3 curvature_before = Vector3::Zero();
+  for (int i = 0; i < N; ++i)
+  {
+    const double l = model.element(i).length;
+    const ElementCoords q = elementCoords(state.q, i);
+    const ElementCoords force = model.elementResidualOf(i, state.q, state.v, state.a);
+    const Vector3 ta = direction(state.q[i]);
+    const Vector3 tb = direction(state.q[i + 1]);
+
+    // The force that an element receives at a node is what the tether carries there, (M14).
+    const double tension_a = -force.segment<3>(0).dot(ta);
+    const double tension_b = force.segment<3>(6).dot(tb);
+    field.tension[2 * i] = i == 0 ? tension_a : 0.5 * (field.tension[2 * i] + tension_a);
+    field.tension[2 * i + 1] = 0.5 * (tension_a + tension_b);
+    field.tension[2 * i + 2] = tension_b;
+
+    const Vector3 curvature_a = interpolate(shapeCurvatures(0.0, l), q);
+    const Vector3 curvature_b = interpolate(shapeCurvatures(1.0, l), q);
+    const Vector3 at_a = i == 0 ? curvature_a : Vector3(0.5 * (curvature_before + curvature_a));
+    field.bend_radius[2 * i] = radiusOfCurvature(q.segment<3>(3), at_a);
+    field.bend_radius[2 * i + 1] =
+        radiusOfCurvature(interpolate(shapeSlopes(0.5, l), q), interpolate(shapeCurvatures(0.5, l), q));
+    field.bend_radius[2 * i + 2] = radiusOfCurvature(q.segment<3>(9), curvature_b);
+    curvature_before = curvature_b;
+
+    for (int half = 0; half < 2; ++half)
+    {
+      field.s[2 * i + half] = model.arcLength(i) + 0.5 * half * l;
+      field.position[2 * i + half] = interpolate(shapeFunctions(0.5 * half, l), q);
+    }
+    for (const GaussPoint& point : GAUSS_POINTS)
+      field.stretched_length += point.weight * l * interpolate(shapeSlopes(point.xi, l), q).norm();
+    field.largest_turn = std::max(field.largest_turn, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
+    if (i == 0)
+      field.ends.vessel = -force.segment<3>(0);
+    if (i == N - 1)
+      field.ends.vehicle = -force.segment<3>(6);
+  }
+  field.s[2 * N] = model.length();
+  field.position[2 * N] = state.q[N].head<3>();
+  for (std::size_t k = 0; k < field.s.size(); ++k)
+    field.strain[k] = engineeringStrain(model.element(std::min<int>(k / 2, N - 1)).axial, field.tension[k]);
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,52 @@
+#include "tether_monitor/core/held_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::core
+{
+namespace
+{
+// Rounding of coordinates [m] makes strains, and so forces, uncertain by this much [N].
+double roundOff(const CableModel& model, const NodeField& q)
+{
+  double extent = 0.0;
+  for (const NodeCoords& node : q)
+    extent = std::max(extent, node.head<3>().lpNorm<Eigen::Infinity>());
+  const ElementParameters& e = model.element(0);
+  return 4.0 * std::numeric_limits<double>::epsilon() * e.axial.stiffness * (1.0 + extent / e.length);
+}
+}  // namespace
+
+ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options, NodeField& residual)
+{
+  const double reaction = std::max(residual.front().head<3>().norm(), residual.back().head<3>().norm());
+  residual.front().head<3>().setZero();
+  residual.back().head<3>().setZero();
+  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q), 0.0};
+  double sum = reaction;
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    const double l = model.element(std::min(i, model.elements() - 1)).length;
+    size.largest = std::max({size.largest, residual[i].head<3>().lpNorm<Eigen::Infinity>(),
+                             residual[i].tail<3>().lpNorm<Eigen::Infinity>() / l});
+    sum += residual[i].sum();
+    size.norm += residual[i].head<3>().squaredNorm() + residual[i].tail<3>().squaredNorm() / (l * l);
+  }
+  size.norm = std::sqrt(size.norm);
+  if (!std::isfinite(sum))
+    size.largest = std::numeric_limits<double>::quiet_NaN();
+  return size;
+}
+
+void holdEnds(BlockTridiagonal& tangent)
+{
+  for (int row = 0; row < 3; ++row)
+  {
+    tangent.holdRow(0, row);
+    tangent.holdRow(tangent.nodes() - 1, row);
+  }
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,17 @@
+#include "tether_monitor/core/regularisation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::core
+{
+Regularisation regularisation(const CableProperties& p, double element_length, double gravity)
+{
+  const double weight = p.mass_per_length * (gravity > 0.0 ? gravity : 9.81);
+  const double EI_min = 0.2 * weight * std::pow(element_length, 4) / p.length;
+  const double EI = std::max(p.bending_stiffness, EI_min);
+  const double push = std::cbrt(weight * weight * EI);
+  return {std::max(1e-3 * weight * p.length, 4.0 * push), 1e-5, EI};
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,176 @@
+#include "tether_monitor/core/statics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tether_monitor/core/held_ends.h"
+#include "tether_monitor/core/initial_shape.h"
+#include "tether_monitor/core/quadrature.h"
+#include "tether_monitor/core/shape_functions.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+constexpr double FOLDED = 0.3;      // |r'| [-] below which an element is folded
+constexpr double FIRST_MOVE = 0.01; // first step: the load moves the tether by this share of its length
+constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
+constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
+
+// Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
+void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
+{
+  for (int i = 0; i < model.elements(); ++i)
+  {
+    const double l = model.element(i).length;
+    for (int node : {i, i + 1})
+    {
+      tangent.diagonal(node).diagonal().head<3>().array() += scale * 0.5 * l;
+      tangent.diagonal(node).diagonal().tail<3>().array() += scale * l * l * l / 105.0;
+    }
+  }
+}
+
+void addMetricForce(const CableModel& model, double scale, const NodeField& q, const NodeField& start, NodeField& residual)
+{
+  for (int i = 0; i < model.elements(); ++i)
+  {
+    const double l = model.element(i).length;
+    for (int node : {i, i + 1})
+    {
+      residual[node].head<3>() += scale * 0.5 * l * (q[node] - start[node]).head<3>();
+      residual[node].tail<3>() += scale * l * l * l / 105.0 * (q[node] - start[node]).tail<3>();
+    }
+  }
+}
+
+bool isFolded(const CableModel& model, const NodeField& q)
+{
+  for (int i = 0; i < model.elements(); ++i)
+    for (const GaussPoint& point : GAUSS_POINTS)
+      if (interpolate(shapeSlopes(point.xi, model.element(i).length), elementCoords(q, i)).norm() < FOLDED)
+        return true;
+  return false;
+}
+}  // namespace
+
+Statics::Statics(int nodes, const StaticsOptions& options)
+  : options_(options)
+  , q_(nodes, NodeCoords::Zero())
+  , start_(q_)
+  , v_(q_)
+  , a_(q_)
+  , residual_(q_)
+  , tangent_(nodes)
+{
+}
+
+SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
+{
+  NodeField found = initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+  SolveReport report = solveFrom(model, ends, found);
+  if (!report.converged())
+  {
+    // A stiffer tether has no bights that the mesh cannot carry; its steady state is a better start.
+    found = initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+    const SolveReport stiff = solveFrom(model.stiffened(HELPER_STIFFNESS), ends, found);
+    const SolveReport again = solveFrom(model, ends, found);
+    const SolveReport first = report;
+    report = again;
+    report.steps += first.steps + stiff.steps;
+    report.rejected += first.rejected + stiff.rejected;
+    report.iterations += first.iterations + stiff.iterations;
+  }
+  if (report.converged())
+    shape = found;
+  return report;
+}
+
+SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
+{
+  SolveReport total;
+  q_ = shape;
+  q_.front().head<3>() = ends.vessel;
+  q_.back().head<3>() = ends.vehicle;
+  for (NodeCoords& rate : v_)
+  {
+    rate.setZero();
+    rate.head<3>() = ends.velocity;
+  }
+
+  // First step: the mean load per metre moves a free tether by FIRST_MOVE of its length.
+  const double tau_0 = FIRST_MOVE * model.length() / (model.forceScale() / model.length());
+  double tau = tau_0;
+  int iterations_left = options_.max_iterations;
+  while (iterations_left > 0)
+  {
+    start_ = q_;
+    const double before = tau;
+    const SolveReport report = flow(model, tau, iterations_left);
+    total.iterations += report.iterations;
+    total.residual = report.residual;
+    total.status = report.status;
+    if (!report.converged())
+    {
+      ++total.rejected;
+      q_ = start_;
+      tau = 0.2 * before;
+      if (tau < 1e-9 * tau_0)
+        return total;
+      continue;
+    }
+    ++total.steps;
+    if (before >= NEWTON_TAU * tau_0)
+    {
+      if (isFolded(model, q_))
+        total.status = SolveStatus::FALSE_BRANCH;
+      else
+        shape = q_;
+      return total;
+    }
+    tau = before * (report.iterations <= 4 ? 4.0 : 1.5);
+  }
+  total.status = SolveStatus::BUDGET_SPENT;
+  return total;
+}
+
+SolveReport Statics::flow(const CableModel& model, double& tau, int& iterations_left)
+{
+  SolveReport report;
+  report.status = SolveStatus::NOT_CONVERGED;
+  const double scale = tau >= NEWTON_TAU * FIRST_MOVE * model.length() * model.length() / model.forceScale() ? 0.0 : 1.0 / tau;
+  // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
+  NewtonOptions newton = options_.newton;
+  if (scale > 0.0)
+    newton.relative_tolerance = std::max(newton.relative_tolerance, 1e-4);
+  double previous = 0.0;
+  for (int k = 0;; ++k)
+  {
+    model.assemble(q_, v_, a_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
+    addMetric(model, scale, tangent_);
+    addMetricForce(model, scale, q_, start_, residual_);
+    const ResidualSize size = holdEnds(model, q_, newton, residual_);
+    report.residual = size.largest;
+    if (size.largest <= size.tolerance)
+    {
+      report.status = SolveStatus::CONVERGED;
+      return report;
+    }
+    const bool diverging = k >= 12 && size.largest > 100.0 * previous;
+    if (k == newton.max_iterations || iterations_left <= 0 || diverging)
+      return report;
+    previous = size.largest;
+    holdEnds(tangent_);
+    ++report.iterations;
+    --iterations_left;
+    if (!std::isfinite(size.largest) || !tangent_.solve(residual_))
+    {
+      report.status = SolveStatus::SINGULAR;
+      return report;
+    }
+    for (int i = 0; i < model.nodes(); ++i)
+      q_[i] -= residual_[i];
+  }
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,83 @@
+#include "tether_monitor/core/stepper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tether_monitor/core/bounds.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+constexpr int EASY_ITERATIONS = 6;  // a step that needed no more lets the next one grow
+
+const StepperOptions& checked(const StepperOptions& options)
+{
+  throwIfAny("step control", problems(options));
+  return options;
+}
+}  // namespace
+
+std::vector<std::string> problems(const StepperOptions& options)
+{
+  BoundsCheck check("solver.");
+  check.positive("step", options.step, "s");
+  check.within("spectral_radius", options.spectral_radius, 0.0, 1.0, "[-]");
+  check.within("max_halvings", options.max_halvings, 0, 30, "[-]");
+  check.within("max_iterations", options.max_iterations, 1, 1e6, "[-]");
+  return check.problems();
+}
+
+Stepper::Stepper(int nodes, const StepperOptions& options)
+  : options_(checked(options)), integrator_(nodes, options.spectral_radius, options.newton)
+{
+}
+
+SolveReport Stepper::advance(const CableModel& model, const EndPaths& ends, double t_end, CableState& state)
+{
+  SolveReport total;
+  const double duration = t_end - state.time;
+  if (!(duration > 0.0))
+    return total;
+  const double full_steps = std::ceil(duration / options_.step - 1e-9);
+  const double largest = duration / full_steps;
+  const double smallest = std::ldexp(options_.step, -options_.max_halvings);
+  const double budget = options_.max_iterations * full_steps;
+
+  double h = state.step > 0.0 ? std::min(state.step * (1.0 + 1e-9), largest) : largest;
+  while (state.time < t_end)
+  {
+    const double left = t_end - state.time;
+    const double pieces = std::ceil(left / h - 1e-6);
+    const double try_h = left / std::max(pieces, 1.0);
+    const SolveReport report = integrator_.step(model, ends, try_h, state);
+    total.iterations += report.iterations;
+    total.residual = report.residual;
+    if (report.converged())
+    {
+      ++total.steps;
+      if (pieces <= 1.0)
+        state.time = t_end;
+      h = report.iterations <= EASY_ITERATIONS ? std::min(2.0 * try_h, largest) : try_h;
+      state.step = h;
+    }
+    else
+    {
+      ++total.rejected;
+      h = 0.5 * try_h;
+      if (h < smallest)
+      {
+        total.status = report.status;
+        return total;
+      }
+    }
+    if (total.iterations > budget && state.time < t_end)
+    {
+      total.status = SolveStatus::BUDGET_SPENT;
+      return total;
+    }
+  }
+  return total;
+}
+
+}  // namespace tether_monitor::core
