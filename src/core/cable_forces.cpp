@@ -92,6 +92,8 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
     if (i == N - 1)
       field.ends.vehicle = -force.segment<3>(6);
   }
+  field.vessel_direction = direction(state.q.front());
+  field.vehicle_direction = direction(state.q.back());
   field.s[2 * N] = model.length();
   field.position[2 * N] = state.q[N].head<3>();
   for (std::size_t k = 0; k < field.s.size(); ++k)

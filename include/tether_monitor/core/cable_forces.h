@@ -26,6 +26,8 @@ struct StationField
   std::vector<double> strain;       ///< engineering strain |r'| - 1 that belongs to the tension [-].
   std::vector<double> bend_radius;  ///< [m]; infinity where straight, (M18).
   EndForces ends;
+  Vector3 vessel_direction = Vector3::Zero();   ///< unit tangent at the vessel end, towards the vehicle end.
+  Vector3 vehicle_direction = Vector3::Zero();  ///< unit tangent at the vehicle end, away from the vessel end.
   double stretched_length = 0.0;  ///< integral of |r'| [m].
   double largest_turn = 0.0;      ///< largest change of direction over one element [rad].
 

@@ -1,0 +1,57 @@
+# Everything catkin: messages, the ROS shell, the node, the tools that read bags, rostests, installation.
+
+if(NOT DEFINED CATKIN_DEVEL_PREFIX)
+  # Built on its own, without a workspace: the devel space lives in the build tree, and its python and pkg-config folders
+  # must be there before catkin looks for them.
+  set(CATKIN_DEVEL_PREFIX ${CMAKE_BINARY_DIR}/devel)
+  file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages ${CATKIN_DEVEL_PREFIX}/lib/pkgconfig)
+endif()
+
+find_package(catkin REQUIRED COMPONENTS
+  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp std_msgs
+  std_srvs tf2 tf2_geometry_msgs tf2_ros visualization_msgs)
+
+add_message_files(FILES Alarm.msg AlarmArray.msg CurrentProfile.msg Payout.msg TetherState.msg)
+generate_messages(DEPENDENCIES geometry_msgs std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES tether_monitor_core tether_monitor_monitor
+  CATKIN_DEPENDS diagnostic_msgs geometry_msgs message_runtime nav_msgs roscpp std_msgs std_srvs visualization_msgs
+  DEPENDS EIGEN3)
+
+find_package(CLI11 REQUIRED)
+
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+add_library(tether_monitor_ros STATIC ${ros_sources})
+add_dependencies(tether_monitor_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
+target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
+target_link_libraries(tether_monitor_ros
+  PUBLIC tether_monitor_params tether_monitor_replay ${catkin_LIBRARIES}
+  PRIVATE tether_monitor_options)
+
+add_executable(tether_monitor_node src/nodes/tether_monitor_node.cpp)
+target_link_libraries(tether_monitor_node PRIVATE tether_monitor_ros tether_monitor_options)
+
+foreach(tool tether_replay tether_steady)
+  add_executable(${tool} src/tools/${tool}.cpp)
+  target_link_libraries(${tool} PRIVATE tether_monitor_ros CLI11::CLI11 tether_monitor_options)
+endforeach()
+
+install(TARGETS tether_monitor_node tether_replay tether_steady
+  RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS tether_monitor_core tether_monitor_monitor
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(DIRECTORY include/${PROJECT_NAME}/core include/${PROJECT_NAME}/monitor
+  DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(FILES test/data/tank_run.bag test/data/tank_run.md
+  DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
+catkin_install_python(PROGRAMS scripts/demo_watch.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+
+if(CATKIN_ENABLE_TESTING)
+  enable_testing()
+  include(cmake/core_tests.cmake)
+  include(cmake/ros_tests.cmake)
+endif()

@@ -1,0 +1,18 @@
+# Tests of the node, each owning the clock, and of the tools.
+find_package(rostest REQUIRED)
+find_package(roslaunch REQUIRED)
+
+roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
+
+catkin_add_gtest(ros_test test/ros/unit/conversions_test.cpp TIMEOUT 120)
+target_link_libraries(ros_test tether_monitor_ros)
+
+foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown)
+  add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)
+  target_link_libraries(${scenario}_test tether_monitor_ros)
+  add_dependencies(${scenario}_test tether_monitor_node)
+endforeach()
+
+foreach(script bad_parameters tools)
+  add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_replay tether_steady)
+endforeach()

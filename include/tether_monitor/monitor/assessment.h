@@ -1,0 +1,18 @@
+#pragma once
+
+#include "tether_monitor/monitor/config.h"
+#include "tether_monitor/monitor/tether_estimate.h"
+
+namespace tether_monitor::monitor
+{
+/// Fills the numbers of `estimate` that follow from its stations: extremes, utilisations, angles. Allocates nothing.
+void summarise(const Config& config, TetherEstimate& estimate);
+
+/// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load or 10 % strain, MESH_COARSE where the
+/// tether turns by more than 1.2 rad within one element, else NONE.
+Reason modelRange(const TetherEstimate& estimate);
+
+/// Sets INVALID with a reason and takes every number of the model out; ages and time stay.
+void invalidate(Reason reason, TetherEstimate& estimate);
+
+}  // namespace tether_monitor::monitor

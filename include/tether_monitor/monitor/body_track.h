@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "tether_monitor/core/end_path.h"
+
+namespace tether_monitor::monitor
+{
+/// Pose and rates of a body's reference point, world frame.
+struct BodyState
+{
+  core::Vector3 position = core::Vector3::Zero();                      ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();     ///< body to world, unit.
+  core::Vector3 velocity = core::Vector3::Zero();                      ///< [m/s]
+  core::Vector3 angular_velocity = core::Vector3::Zero();              ///< [rad/s], world axes.
+
+  /// Position and velocity of a point fixed in the body, `lever` from the reference point in body axes [m].
+  core::EndPoint attachmentPoint(const core::Vector3& lever) const;
+};
+
+/// Why a measurement was not taken.
+enum class Rejection
+{
+  NONE,
+  NOT_FINITE,       ///< a number is NaN or infinite.
+  BAD_QUATERNION,   ///< the orientation is not of unit length (within 1 %).
+  OUT_OF_ORDER      ///< not later than the last one of its kind.
+};
+
+/// Words for a Rejection.
+const char* describe(Rejection rejection);
+
+/**
+ * Measured motion of one body: poses, and rates where something measures them.
+ *
+ * Between two poses: cubic Hermite in position, slerp in orientation. Beyond the last pose: constant velocity. A
+ * velocity that nobody measures is the slope of a straight line through the poses of the last VELOCITY_WINDOW.
+ * Holds the last CAPACITY measurements of each kind; allocates only in the constructor.
+ */
+class BodyTrack
+{
+ public:
+  static constexpr std::size_t CAPACITY = 512;
+  static constexpr double VELOCITY_WINDOW = 0.3;  ///< [s]
+
+  BodyTrack();
+
+  /// Takes a pose at time t [s]. The orientation is normalised.
+  Rejection addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation);
+  /// Takes measured rates at time t [s], world axes.
+  Rejection addRates(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity);
+  void clear();
+
+  bool hasPose() const { return !poses_.empty(); }
+  /// Age at time t of the last pose that is not later than t [s]; infinite without one.
+  double age(double t) const;
+  /// True if a pose at or after t is known, so that at(t) interpolates.
+  bool covers(double t) const;
+  /// Orientation of the last pose, for rates that are measured in body axes. Identity without one.
+  Eigen::Quaterniond lastOrientation() const;
+  /// Time of the last pose [s]; -infinity without one.
+  double lastPoseTime() const;
+  /// State at time t [s]; hasPose() must hold.
+  BodyState at(double t) const;
+
+ private:
+  struct Pose
+  {
+    double t;
+    core::Vector3 position;
+    Eigen::Quaterniond orientation;
+  };
+  struct Rates
+  {
+    double t;
+    core::Vector3 velocity;
+    core::Vector3 angular_velocity;
+  };
+  struct Slope
+  {
+    core::Vector3 velocity;
+    core::Vector3 angular_velocity;
+  };
+
+  std::optional<Rates> measuredRates(double t) const;
+  Slope ratesAt(std::size_t pose, double t) const;
+
+  std::vector<Pose> poses_;   // in order of time, at most CAPACITY
+  std::vector<Rates> rates_;  // likewise
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tether_monitor/core/cable_properties.h"
+#include "tether_monitor/core/environment.h"
+#include "tether_monitor/core/stepper.h"
+#include "tether_monitor/monitor/alarm.h"
+
+namespace tether_monitor::monitor
+{
+/// Limits of one watched quantity: up to two alarms (warning and limit) with the same timing.
+struct AlarmConfig
+{
+  std::optional<double> warning;  ///< unit of the quantity; none: no warning.
+  std::optional<double> limit;    ///< unit of the quantity; none: no alarm.
+  AlarmTiming timing;
+};
+
+/// Every alarm of the monitor. Limits of over_tension and breaking are fractions of working_load and breaking_load.
+struct AlarmsConfig
+{
+  AlarmConfig over_tension{0.8, 1.0, {0.2, 2.0, 0.05, true}};
+  AlarmConfig breaking{std::nullopt, 0.9, {0.0, 2.0, 0.05, true}};
+  AlarmConfig slack{std::nullopt, std::nullopt, {1.0, 2.0, 0.0, false}};       ///< least tension [N], bad below.
+  AlarmConfig bend_radius{std::nullopt, std::nullopt, {0.5, 2.0, 0.0, false}}; ///< [m], bad below; limit defaults to
+                                                                               ///< tether.min_bend_radius.
+  AlarmConfig stale_input{std::nullopt, std::nullopt, {0.0, 1.0, 0.0, false}}; ///< age [s]; limit defaults to
+                                                                               ///< pose_timeout.
+};
+
+/// How one end of the tether is fastened to its body.
+struct BodyConfig
+{
+  core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
+  std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
+};
+
+/// The whole parameter tree, checked and with its defaults in place.
+struct Config
+{
+  std::string world_frame = "map";
+  core::Environment environment;
+  core::CableProperties tether;
+  int elements = 50;
+  BodyConfig vessel;
+  BodyConfig vehicle;
+  core::StepperOptions solver;
+  double rate = 20.0;            ///< [Hz], > 0.
+  double pose_timeout = 1.0;     ///< [s], > 0.
+  double invalid_timeout = 5.0;  ///< [s], >= pose_timeout.
+  AlarmsConfig alarms;
+};
+
+/// Every bound that `config` violates, one sentence each, named as in the parameter tree.
+std::vector<std::string> problems(const Config& config);
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <limits>
+
+#include "tether_monitor/core/cable_forces.h"
+
+namespace tether_monitor::monitor
+{
+/// How far the numbers of an estimate may be used; the numbers are those of TetherState.msg.
+enum class Status
+{
+  OK = 0,
+  DEGRADED = 1,
+  INVALID = 2
+};
+
+/// Why the status is not OK; the numbers are those of TetherState.msg.
+enum class Reason
+{
+  NONE = 0,
+  NO_INPUT,
+  SETTLING,
+  VESSEL_STALE,
+  VEHICLE_STALE,
+  PAYOUT_STALE,
+  REJECTED_INPUT,
+  NOT_CONVERGED,
+  OUT_OF_RANGE,
+  MESH_COARSE,
+  CLOCK_JUMP
+};
+
+/// The word of the message constant, without its prefix: "DEGRADED", "VESSEL_STALE".
+const char* describe(Status status);
+const char* describe(Reason reason);
+
+/// What the monitor says of the tether at one time. While INVALID the stations are empty and the numbers NaN.
+struct TetherEstimate
+{
+  static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+
+  double time = 0.0;  ///< [s] of the input clock.
+  Status status = Status::INVALID;
+  Reason reason = Reason::NO_INPUT;
+  core::StationField stations;  ///< positions in the world frame; see has_stations.
+  bool has_stations = false;    ///< false while INVALID.
+
+  double length = NONE;               ///< unstretched, deployed [m].
+  double max_tension = NONE;          ///< [N]
+  double max_tension_s = NONE;        ///< [m]
+  double min_tension = NONE;          ///< [N]
+  double min_tension_s = NONE;        ///< [m]
+  double vessel_tension = NONE;       ///< size of the force on the vessel end [N].
+  double vehicle_tension = NONE;      ///< size of the force on the vehicle end [N].
+  double working_utilisation = NONE;  ///< max_tension / working_load [-].
+  double breaking_utilisation = NONE; ///< max_tension / breaking_load [-].
+  double min_bend_radius = NONE;      ///< [m]
+  double min_bend_radius_s = NONE;    ///< [m]
+  double vessel_end_angle = NONE;     ///< of the tether below the horizontal at the vessel end [rad].
+  double vehicle_end_angle = NONE;    ///< the same at the vehicle end [rad].
+  double vessel_age = NONE;           ///< age of the last vessel pose [s].
+  double vehicle_age = NONE;          ///< age of the last vehicle pose [s].
+};
+
+}  // namespace tether_monitor::monitor

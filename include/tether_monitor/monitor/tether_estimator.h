@@ -1,0 +1,110 @@
+#pragma once
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/cable_state.h"
+#include "tether_monitor/core/statics.h"
+#include "tether_monitor/core/stepper.h"
+#include "tether_monitor/monitor/alarm_set.h"
+#include "tether_monitor/monitor/body_track.h"
+#include "tether_monitor/monitor/config.h"
+#include "tether_monitor/monitor/tether_estimate.h"
+
+namespace tether_monitor::monitor
+{
+/// Where both tether ends are at one time, and how old the knowledge is.
+struct EndTargets
+{
+  core::EndPoint vessel;
+  core::EndPoint vehicle;
+  double vessel_age = 0.0;   ///< [s]
+  double vehicle_age = 0.0;  ///< [s]
+};
+
+/// What stepping has cost since the start.
+struct StepCount
+{
+  long steps = 0;
+  long rejected = 0;
+  long iterations = 0;
+};
+
+/**
+ * The monitor of one tether: measurements in, estimate and alarms out. The only class that a shell needs.
+ *
+ * Live use: feed the tracks, call tick() at the monitor's rate. Use with known motion: begin() once, then advance().
+ * No clock, no log, no global state; copy an estimator to save it. Nothing here throws after construction; after the
+ * first estimate advance() allocates nothing.
+ */
+class TetherEstimator
+{
+ public:
+  /// @throws std::invalid_argument listing every problem of `config`.
+  explicit TetherEstimator(const Config& config);
+
+  BodyTrack& vessel() { return vessel_; }
+  BodyTrack& vehicle() { return vehicle_; }
+  /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
+  void noteRejectedInput(double t) { rejected_at_ = t; }
+  /// Replaces the current profile, from the next step on.
+  void setCurrent(const core::CurrentProfile& current);
+  /**
+   * Deployed length from the winch [m]. A change of more than 0.1 % makes the tether settle anew at that length.
+   * @return false, and nothing changes, unless 0 < length < infinity.
+   */
+  bool setLength(double length);
+
+  /// Estimate at time t [s] from the tracks, which it interpolates or extrapolates to t.
+  const TetherEstimate& tick(double t);
+
+  /// Starts from the steady state between known ends, both moving at the vessel end's velocity, at time t [s].
+  const TetherEstimate& begin(double t, const EndTargets& ends);
+  /// Steps to time t [s], ends on the way to `ends`; begin() must have succeeded, else as begin().
+  const TetherEstimate& advance(double t, const EndTargets& ends);
+
+  /// Forgets motion, measurements and settles anew. Alarms stay as they are.
+  void reset();
+  /// Acknowledges all alarms at the time of the last estimate. @return how many changed.
+  int acknowledge() { return alarms_.acknowledge(estimate_.time); }
+
+  const Config& config() const { return config_; }
+  const TetherEstimate& estimate() const { return estimate_; }
+  const AlarmSet& alarms() const { return alarms_; }
+  /// True if any alarm changed its state in the last estimate.
+  bool alarmsChanged() const { return alarms_changed_; }
+  /// What a control loop must see: true while INVALID or while the over-tension limit alarm is active or latched.
+  bool overTension() const { return estimate_.status == Status::INVALID || alarms_.overTension(); }
+  const StepCount& count() const { return count_; }
+  /// How the last settling or stepping ended.
+  const core::SolveReport& lastSolve() const { return last_solve_; }
+  const core::CableModel& model() const { return model_; }
+  const core::CableState& state() const { return state_; }
+  bool isSettled() const { return settled_; }
+
+ private:
+  const TetherEstimate& refuse(double t, Reason reason);
+  const TetherEstimate& publish(const EndTargets& ends);
+  bool settle(double t, const EndTargets& ends);
+  Reason degradation(const EndTargets& ends) const;
+  EndTargets targetsAt(double t) const;
+
+  Config config_;
+  core::CableModel model_;
+  core::Stepper stepper_;
+  core::Statics statics_;
+  BodyTrack vessel_, vehicle_;
+  AlarmSet alarms_;
+
+  core::CableState state_;  // relative to origin_
+  core::Vector3 origin_ = core::Vector3::Zero();  // vessel end when it settled, on the surface
+  bool settled_ = false;
+  bool announced_settling_ = false;
+  bool started_ = false;
+  bool alarms_changed_ = false;
+  double retry_settling_at_ = 0.0;
+  double rejected_at_;
+  TetherEstimate estimate_;
+  StepCount count_;
+  core::SolveReport last_solve_;
+};
+
+}  // namespace tether_monitor::monitor

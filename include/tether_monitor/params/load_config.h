@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tether_monitor/monitor/config.h"
+#include "tether_monitor/params/value.h"
+
+namespace tether_monitor::params
+{
+/**
+ * The configuration that a parameter tree holds: the same for the node and for the offline tools.
+ *
+ * @param tree   the whole tree.
+ * @param where  named in errors: a file or a namespace.
+ * @throws ParamError listing every missing, misspelt, misshapen and out-of-range key.
+ */
+monitor::Config loadConfig(const Value& tree, const std::string& where);
+
+}  // namespace tether_monitor::params

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tether_monitor::replay
+{
+/// A table of numbers read from a CSV file.
+struct CsvTable
+{
+  std::string path;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;  ///< empty fields are NaN where allowed.
+  std::vector<int> lines;                 ///< line number in the file, one for each row.
+
+  /// Index of a column, or nothing.
+  std::optional<std::size_t> find(const std::string& column) const;
+};
+
+/**
+ * Reads a CSV file: the first line that is neither empty nor a comment (#) names the columns, the others hold numbers.
+ *
+ * @throws std::runtime_error naming file and line: unreadable or empty file, duplicate column, wrong number of fields, a
+ *         field that is empty, not a number, or not finite.
+ */
+CsvTable readCsv(const std::string& path);
+
+}  // namespace tether_monitor::replay

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "tether_monitor/monitor/body_track.h"
+#include "tether_monitor/replay/csv_table.h"
+
+namespace tether_monitor::replay
+{
+/// Known motion of one body through a series of rows.
+struct BodyMotion
+{
+  std::vector<core::Vector3> position;
+  std::vector<core::Vector3> velocity;           ///< measured, or of the spline through the positions.
+  std::vector<Eigen::Quaterniond> orientation;   ///< empty: level throughout.
+};
+
+/// A recorded or written motion of vessel and vehicle, with the inputs that go with it.
+class Motion
+{
+ public:
+  /**
+   * @param table  columns as INTERFACES names them: t, vessel_x..z, vehicle_x..z, and the optional ones.
+   * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not increase, no row,
+   *         a quaternion that is not of unit length.
+   */
+  explicit Motion(const CsvTable& table);
+
+  const std::vector<double>& times() const { return t_; }
+  double begin() const { return t_.front(); }
+  double end() const { return t_.back(); }
+
+  /// State of a body at time t [s], begin() <= t <= end(): cubic Hermite in position, slerp in orientation.
+  monitor::BodyState vessel(double t) const { return at(vessel_, t); }
+  monitor::BodyState vehicle(double t) const { return at(vehicle_, t); }
+
+  bool hasPayout() const { return !payout_.empty(); }
+  /// Deployed length [m] at time t, linear between rows.
+  double payout(double t) const;
+  bool hasCurrent() const { return !current_.empty(); }
+  /// Water velocity [m/s] at time t, the same at all depths, linear between rows.
+  core::Vector3 current(double t) const;
+
+ private:
+  std::size_t interval(double t) const;
+  double share(std::size_t i, double t) const;
+  monitor::BodyState at(const BodyMotion& body, double t) const;
+
+  std::vector<double> t_;
+  BodyMotion vessel_, vehicle_;
+  std::vector<double> payout_;
+  std::vector<core::Vector3> current_;
+};
+
+}  // namespace tether_monitor::replay

@@ -1,0 +1,94 @@
+#include "tether_monitor/monitor/alarm_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+const char* const OVER_TENSION = "over_tension";
+}
+
+AlarmSet::AlarmSet(const Config& config)
+{
+  AlarmConfig bend = config.alarms.bend_radius;
+  if (!bend.limit)
+    bend.limit = config.tether.min_bend_radius;
+  AlarmConfig stale = config.alarms.stale_input;
+  if (!stale.limit)
+    stale.limit = config.pose_timeout;
+  define(OVER_TENSION, Quantity::WORKING_UTILISATION, Side::ABOVE, Severity::ALARM, config.alarms.over_tension);
+  define("breaking", Quantity::BREAKING_UTILISATION, Side::ABOVE, Severity::CRITICAL, config.alarms.breaking);
+  define("slack", Quantity::LEAST_TENSION, Side::BELOW, Severity::ALARM, config.alarms.slack);
+  define("bend_radius", Quantity::BEND_RADIUS, Side::BELOW, Severity::ALARM, bend);
+  define("stale_input", Quantity::AGE, Side::ABOVE, Severity::ALARM, stale);
+}
+
+void AlarmSet::define(const char* name, Quantity quantity, Side side, Severity severity, const AlarmConfig& config)
+{
+  if (config.limit)
+  {
+    alarms_.emplace_back(AlarmDefinition{name, severity, side, *config.limit, config.timing});
+    quantities_.push_back(quantity);
+  }
+  if (config.warning)
+  {
+    alarms_.emplace_back(
+        AlarmDefinition{std::string(name) + "_warning", Severity::WARNING, side, *config.warning, config.timing});
+    quantities_.push_back(quantity);
+  }
+}
+
+bool AlarmSet::update(const TetherEstimate& e)
+{
+  bool changed = false;
+  for (std::size_t i = 0; i < alarms_.size(); ++i)
+  {
+    double value = TetherEstimate::NONE;
+    double s = TetherEstimate::NONE;
+    switch (quantities_[i])
+    {
+      case Quantity::WORKING_UTILISATION:
+        value = e.working_utilisation;
+        s = e.max_tension_s;
+        break;
+      case Quantity::BREAKING_UTILISATION:
+        value = e.breaking_utilisation;
+        s = e.max_tension_s;
+        break;
+      case Quantity::LEAST_TENSION:
+        value = e.min_tension;
+        s = e.min_tension_s;
+        break;
+      case Quantity::BEND_RADIUS:
+        value = e.min_bend_radius;
+        s = e.min_bend_radius_s;
+        break;
+      case Quantity::AGE:
+        value = std::max(e.vessel_age, e.vehicle_age);
+        break;
+    }
+    changed = alarms_[i].update(e.time, value, s) || changed;
+  }
+  return changed;
+}
+
+int AlarmSet::acknowledge(double t)
+{
+  return static_cast<int>(std::count_if(alarms_.begin(), alarms_.end(), [t](Alarm& a) { return a.acknowledge(t); }));
+}
+
+void AlarmSet::restartClocks()
+{
+  for (Alarm& alarm : alarms_)
+    alarm.restartClock();
+}
+
+bool AlarmSet::overTension() const
+{
+  return std::any_of(alarms_.begin(), alarms_.end(),
+                     [](const Alarm& a) { return a.definition().name == OVER_TENSION && a.isRaised(); });
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,60 @@
+#include "tether_monitor/monitor/assessment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double LARGEST_STRAIN = 0.1;  // [-]
+constexpr double LARGEST_TURN = 1.2;    // [rad] over one element
+
+// Angle of a direction below the horizontal [rad].
+double angleBelow(const core::Vector3& direction)
+{
+  return std::atan2(-direction.z(), std::hypot(direction.x(), direction.y()));
+}
+}  // namespace
+
+void summarise(const Config& config, TetherEstimate& e)
+{
+  const core::StationField& at = e.stations;
+  const auto most = std::max_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
+  const auto least = std::min_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
+  const auto bend = std::min_element(at.bend_radius.begin(), at.bend_radius.end()) - at.bend_radius.begin();
+  e.length = at.s.back();
+  e.max_tension = at.tension[most];
+  e.max_tension_s = at.s[most];
+  e.min_tension = at.tension[least];
+  e.min_tension_s = at.s[least];
+  e.min_bend_radius = at.bend_radius[bend];
+  e.min_bend_radius_s = at.s[bend];
+  e.vessel_tension = at.ends.vessel.norm();
+  e.vehicle_tension = at.ends.vehicle.norm();
+  e.working_utilisation = e.max_tension / config.tether.working_load;
+  e.breaking_utilisation = e.max_tension / config.tether.breaking_load;
+  e.vessel_end_angle = angleBelow(at.vessel_direction);
+  e.vehicle_end_angle = angleBelow(at.vehicle_direction);
+}
+
+Reason modelRange(const TetherEstimate& e)
+{
+  const auto [least, most] = std::minmax_element(e.stations.strain.begin(), e.stations.strain.end());
+  if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN || *least < -LARGEST_STRAIN)
+    return Reason::OUT_OF_RANGE;
+  return e.stations.largest_turn > LARGEST_TURN ? Reason::MESH_COARSE : Reason::NONE;
+}
+
+void invalidate(Reason reason, TetherEstimate& e)
+{
+  constexpr double NONE = TetherEstimate::NONE;
+  e.status = Status::INVALID;
+  e.reason = reason;
+  e.has_stations = false;
+  e.length = e.max_tension = e.max_tension_s = e.min_tension = e.min_tension_s = NONE;
+  e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
+  e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,62 @@
+#include "tether_monitor/monitor/config.h"
+
+#include <cmath>
+
+#include "tether_monitor/core/bounds.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+void add(const std::vector<std::string>& more, std::vector<std::string>& all)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> problems(const std::string& name, const AlarmConfig& alarm, Side side)
+{
+  core::BoundsCheck check("monitor.alarms." + name + ".");
+  check.notNegative("on_delay", alarm.timing.on_delay, "s");
+  check.notNegative("off_delay", alarm.timing.off_delay, "s");
+  check.notNegative("deadband", alarm.timing.deadband, "in the unit of the limit");
+  if (alarm.limit)
+    check.finite("limit", *alarm.limit, "the unit of the quantity");
+  if (alarm.warning)
+  {
+    const bool ordered = !alarm.limit || (side == Side::ABOVE ? *alarm.warning <= *alarm.limit : *alarm.warning >= *alarm.limit);
+    check.require(std::isfinite(*alarm.warning) && ordered, "warning", *alarm.warning,
+                  side == Side::ABOVE ? "<= limit" : ">= limit");
+  }
+  return check.problems();
+}
+}  // namespace
+
+std::vector<std::string> problems(const Config& c)
+{
+  std::vector<std::string> all = core::problems(c.environment);
+  add(core::problems(c.tether), all);
+  add(core::elementCountProblems(c.elements), all);
+  add(core::problems(c.solver), all);
+
+  core::BoundsCheck check("monitor.");
+  check.within("rate", c.rate, 0.1, 1000.0, "Hz");
+  check.positive("pose_timeout", c.pose_timeout, "s");
+  check.require(std::isfinite(c.invalid_timeout) && c.invalid_timeout >= c.pose_timeout, "invalid_timeout",
+                c.invalid_timeout, ">= pose_timeout, in s");
+  add(check.problems(), all);
+
+  core::BoundsCheck levers;
+  levers.finite("vessel.attachment (norm)", c.vessel.attachment.norm(), "m");
+  levers.finite("vehicle.attachment (norm)", c.vehicle.attachment.norm(), "m");
+  levers.require(!c.world_frame.empty(), "world_frame (number of characters)", 0, "a frame's name");
+  add(levers.problems(), all);
+
+  add(problems("over_tension", c.alarms.over_tension, Side::ABOVE), all);
+  add(problems("breaking", c.alarms.breaking, Side::ABOVE), all);
+  add(problems("slack", c.alarms.slack, Side::BELOW), all);
+  add(problems("bend_radius", c.alarms.bend_radius, Side::BELOW), all);
+  add(problems("stale_input", c.alarms.stale_input, Side::ABOVE), all);
+  return all;
+}
+
+}  // namespace tether_monitor::monitor

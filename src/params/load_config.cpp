@@ -1,0 +1,136 @@
+#include "tether_monitor/params/load_config.h"
+
+#include <algorithm>
+
+#include "tether_monitor/params/reader.h"
+
+namespace tether_monitor::params
+{
+namespace
+{
+core::CurrentProfile loadCurrent(Reader& in)
+{
+  std::vector<core::CurrentProfile::Sample> samples;
+  for (Reader& entry : in.children("current"))
+  {
+    samples.push_back({entry.number("depth"), entry.vector("velocity", core::Vector3::Zero())});
+    if (!entry.has("velocity"))
+      in.report({"environment.current[" + std::to_string(samples.size() - 1) + "].velocity is missing"});
+    entry.finish();
+  }
+  std::vector<std::string> faults = core::problems(samples);
+  for (std::string& fault : faults)
+    fault = "environment." + fault;
+  in.report(faults);
+  return faults.empty() ? core::CurrentProfile(samples) : core::CurrentProfile();
+}
+
+core::Environment loadEnvironment(Reader in)
+{
+  core::Environment sea;
+  sea.water_density = in.number("water_density", sea.water_density);
+  sea.gravity = in.number("gravity", sea.gravity);
+  sea.current = loadCurrent(in);
+  in.finish();
+  return sea;
+}
+
+core::CableProperties loadTether(Reader in, int& elements)
+{
+  core::CableProperties p;
+  p.length = in.number("length");
+  elements = in.integer("elements", elements);
+  p.diameter = in.number("diameter");
+  p.mass_per_length = in.number("mass_per_length");
+  p.axial_stiffness = in.number("axial_stiffness");
+  p.bending_stiffness = in.number("bending_stiffness", p.bending_stiffness);
+  p.axial_damping = in.number("axial_damping", p.axial_damping);
+  p.drag_normal = in.number("drag_normal");
+  p.drag_tangential = in.number("drag_tangential");
+  p.added_mass_normal = in.number("added_mass_normal", p.added_mass_normal);
+  p.load_area = in.optionalNumber("load_area");
+  p.working_load = in.number("working_load");
+  p.breaking_load = in.number("breaking_load");
+  p.min_bend_radius = in.optionalNumber("min_bend_radius");
+  in.finish();
+  return p;
+}
+
+monitor::BodyConfig loadBody(Reader in)
+{
+  monitor::BodyConfig body;
+  body.attachment = in.vector("attachment", body.attachment);
+  body.frame = in.text("frame", body.frame);
+  in.finish();
+  return body;
+}
+
+core::StepperOptions loadSolver(Reader in)
+{
+  core::StepperOptions options;
+  const std::string integrator = in.text("integrator", "generalized_alpha");
+  if (integrator != "generalized_alpha")
+    in.report({"solver.integrator = '" + integrator + "' (must be generalized_alpha)"});
+  options.step = in.number("step", options.step);
+  options.spectral_radius = in.number("spectral_radius", options.spectral_radius);
+  in.finish();
+  return options;
+}
+
+void loadAlarm(Reader in, monitor::AlarmConfig& alarm)
+{
+  const auto optional = [&](const char* key, std::optional<double>& value) {
+    if (in.has(key))
+      value = in.optionalNumber(key);
+  };
+  optional("warning", alarm.warning);
+  optional("limit", alarm.limit);
+  alarm.timing.on_delay = in.number("on_delay", alarm.timing.on_delay);
+  alarm.timing.off_delay = in.number("off_delay", alarm.timing.off_delay);
+  alarm.timing.deadband = in.number("deadband", alarm.timing.deadband);
+  alarm.timing.latch = in.flag("latch", alarm.timing.latch);
+  in.finish();
+}
+
+void loadMonitor(Reader in, monitor::Config& config)
+{
+  config.rate = in.number("rate", config.rate);
+  config.pose_timeout = in.number("pose_timeout", config.pose_timeout);
+  config.invalid_timeout = in.number("invalid_timeout", config.invalid_timeout);
+  Reader alarms = in.child("alarms");
+  loadAlarm(alarms.child("over_tension"), config.alarms.over_tension);
+  loadAlarm(alarms.child("breaking"), config.alarms.breaking);
+  loadAlarm(alarms.child("slack"), config.alarms.slack);
+  loadAlarm(alarms.child("bend_radius"), config.alarms.bend_radius);
+  loadAlarm(alarms.child("stale_input"), config.alarms.stale_input);
+  alarms.finish();
+  in.finish();
+}
+}  // namespace
+
+monitor::Config loadConfig(const Value& tree, const std::string& where)
+{
+  Reader in(tree);
+  monitor::Config config;
+  config.world_frame = in.text("world_frame", config.world_frame);
+  config.environment = loadEnvironment(in.child("environment"));
+  config.tether = loadTether(in.child("tether"), config.elements);
+  config.vessel = loadBody(in.child("vessel"));
+  config.vehicle = loadBody(in.child("vehicle"));
+  config.solver = loadSolver(in.child("solver"));
+  loadMonitor(in.child("monitor"), config);
+  in.ignore("diagnostic_period");  // of diagnostic_updater
+  in.finish();
+
+  // A key that could not be read has its fault already; its bound is not worth a second one.
+  std::vector<std::string> bounds = monitor::problems(config);
+  bounds.erase(std::remove_if(bounds.begin(), bounds.end(),
+                              [](const std::string& text) { return text.find(" = nan ") != std::string::npos; }),
+               bounds.end());
+  in.report(bounds);
+  if (!in.faults().empty())
+    throw ParamError(where, in.faults());
+  return config;
+}
+
+}  // namespace tether_monitor::params

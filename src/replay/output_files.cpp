@@ -1,0 +1,155 @@
+#include "tether_monitor/replay/output_files.h"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace tether_monitor::replay
+{
+using monitor::TetherEstimate;
+
+CsvWriter::CsvWriter(const std::string& path, const std::string& header)
+  : path_(path), file_(std::fopen(path.c_str(), "w"))
+{
+  if (!file_)
+    throw std::runtime_error("cannot write " + path);
+  std::fprintf(file_.get(), "%s\n", header.c_str());
+}
+
+void CsvWriter::separate()
+{
+  if (row_has_fields_)
+    std::fputc(',', file_.get());
+  row_has_fields_ = true;
+}
+
+CsvWriter& CsvWriter::number(double value)
+{
+  separate();
+  if (std::isnan(value))
+    std::fputs("nan", file_.get());
+  else
+    std::fprintf(file_.get(), "%.10g", value);
+  return *this;
+}
+
+CsvWriter& CsvWriter::text(const std::string& value)
+{
+  separate();
+  std::fputs(value.c_str(), file_.get());
+  return *this;
+}
+
+void CsvWriter::endRow()
+{
+  row_has_fields_ = false;
+  if (std::fputc('\n', file_.get()) == EOF || std::ferror(file_.get()))
+    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
+}
+
+void CsvWriter::close()
+{
+  if (std::fflush(file_.get()) != 0)
+    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
+}
+
+void makeFolder(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path))
+    throw std::runtime_error("cannot make the folder " + path + (error ? ": " + error.message() : ""));
+}
+
+EndsFile::EndsFile(const std::string& folder, bool with_vehicle)
+  : csv_(folder + "/ends.csv",
+         std::string("t,vessel_fx,vessel_fy,vessel_fz,vehicle_fx,vehicle_fy,vehicle_fz,max_tension,max_tension_s,"
+                     "stretched_length,status") +
+             (with_vehicle ? ",vehicle_x,vehicle_y,vehicle_z" : ""))
+{
+}
+
+void EndsFile::writeColumns(const TetherEstimate& e)
+{
+  csv_.number(e.time);
+  for (const core::Vector3& force : {e.stations.ends.vessel, e.stations.ends.vehicle})
+    for (int i = 0; i < 3; ++i)
+      csv_.number(e.has_stations ? force[i] : TetherEstimate::NONE);
+  csv_.number(e.max_tension).number(e.max_tension_s);
+  csv_.number(e.has_stations ? e.stations.stretched_length : TetherEstimate::NONE);
+  csv_.text(describe(e.status));
+}
+
+void EndsFile::write(const TetherEstimate& e)
+{
+  writeColumns(e);
+  csv_.endRow();
+}
+
+void EndsFile::write(const TetherEstimate& e, const core::Vector3& vehicle)
+{
+  writeColumns(e);
+  csv_.number(vehicle.x()).number(vehicle.y()).number(vehicle.z()).endRow();
+}
+
+ShapeFile::ShapeFile(const std::string& folder) : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius") {}
+
+void ShapeFile::write(const TetherEstimate& e)
+{
+  if (!e.has_stations)
+    return;
+  const core::StationField& at = e.stations;
+  for (std::size_t i = 0; i < at.s.size(); ++i)
+  {
+    csv_.number(e.time).number(at.s[i]).number(at.position[i].x()).number(at.position[i].y()).number(at.position[i].z());
+    csv_.number(at.tension[i]).number(at.strain[i]).number(at.bend_radius[i]).endRow();
+  }
+}
+
+AlarmsFile::AlarmsFile(const std::string& folder) : csv_(folder + "/alarms.csv", "t,name,state,severity,value,limit,s") {}
+
+void AlarmsFile::write(double t, const monitor::AlarmSet& set)
+{
+  last_.resize(set.alarms().size(), monitor::AlarmState::NORMAL);
+  for (std::size_t i = 0; i < last_.size(); ++i)
+  {
+    const monitor::Alarm& alarm = set.alarms()[i];
+    if (alarm.state() == last_[i])
+      continue;
+    last_[i] = alarm.state();
+    csv_.number(t).text(alarm.definition().name).text(describe(alarm.state())).text(describe(alarm.definition().severity));
+    csv_.number(alarm.value()).number(alarm.definition().limit).number(alarm.s()).endRow();
+  }
+}
+
+const char* describe(monitor::AlarmState state)
+{
+  switch (state)
+  {
+    case monitor::AlarmState::NORMAL:
+      return "NORMAL";
+    case monitor::AlarmState::UNACKNOWLEDGED:
+      return "UNACKNOWLEDGED";
+    case monitor::AlarmState::ACKNOWLEDGED:
+      return "ACKNOWLEDGED";
+    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
+      return "RETURNED_UNACKNOWLEDGED";
+  }
+  return "UNKNOWN";
+}
+
+const char* describe(monitor::Severity severity)
+{
+  switch (severity)
+  {
+    case monitor::Severity::WARNING:
+      return "WARNING";
+    case monitor::Severity::ALARM:
+      return "ALARM";
+    case monitor::Severity::CRITICAL:
+      return "CRITICAL";
+  }
+  return "UNKNOWN";
+}
+
+}  // namespace tether_monitor::replay
