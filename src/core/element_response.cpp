@@ -28,11 +28,11 @@ void addAxial(const ElementParameters& p, const Vector3& slope, const Vector3& s
   const double strain = 0.5 * (slope.squaredNorm() - 1.0);  // (M2)
   const double strain_rate = slope.dot(slope_rate);
   const AxialLaw law = axialLaw(p.axial, strain);
-  const double N = law.force + p.axial.damping * law.modulus * strain_rate;  // (M3), (M5)
+  const double N = law.force + p.axial.damping * p.axial.stiffness * strain_rate;  // (M3), (M5)
   out.n += N * slope;
   if constexpr (WITH_TANGENT)
   {
-    const double viscous = p.axial.damping * law.modulus;
+    const double viscous = p.axial.damping * p.axial.stiffness;
     out.n_dr += w.stiffness * N * Matrix3::Identity() + slope * ((w.stiffness * law.modulus + w.damping * viscous) * slope +
                                                                  w.stiffness * viscous * slope_rate)
                                                                     .transpose();

@@ -8,7 +8,7 @@ namespace tether_monitor::core
 struct AxialParameters
 {
   double stiffness = 0.0;          ///< EA [N] per Green-Lagrange strain, > 0.
-  double damping = 0.0;            ///< tau [s], >= 0: N = N(eps) + tau N'(eps) d eps/dt.
+  double damping = 0.0;            ///< tau [s], >= 0: N = N(eps) + tau EA d eps/dt, (M5), in pull and push alike.
   double compression_limit = 0.0;  ///< Pc [N], > 0: largest push that the law carries, apart from the residual.
   double residual = 0.0;           ///< kappa [-], 0 <= kappa < 1: share of EA left in deep compression.
 };

@@ -56,6 +56,8 @@ class TetherEstimator
   /// Estimate at time t [s] from the tracks, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
 
+  /// Starts at time t [s] from the steady state between the ends that the tracks give; both tracks must have a pose.
+  const TetherEstimate& beginFromTracks(double t) { return begin(t, targetsAt(t)); }
   /// Starts from the steady state between known ends, both moving at the vessel end's velocity, at time t [s].
   const TetherEstimate& begin(double t, const EndTargets& ends);
   /// Steps to time t [s], ends on the way to `ends`; begin() must have succeeded, else as begin().

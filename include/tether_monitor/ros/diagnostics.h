@@ -1,0 +1,34 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include <map>
+#include <string>
+
+#include "tether_monitor/monitor/tether_estimator.h"
+
+namespace tether_monitor
+{
+/// Messages refused on one topic.
+struct RefusalCount
+{
+  long count = 0;
+  std::string last_reason;
+};
+
+/// What the diagnostics need besides the estimator.
+struct DiagnosticFacts
+{
+  std::map<std::string, RefusalCount> refusals;  ///< by topic.
+  double worst_step_time = 0.0;                  ///< [s] since the start.
+  long ticks = 0;
+};
+
+/// Likely cause of a reason, and what to do about it, in a sentence.
+std::string advice(monitor::Reason reason);
+
+/// Fills a status with level, summary, numbers, likely cause and advice.
+void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& facts,
+              diagnostic_updater::DiagnosticStatusWrapper& status);
+
+}  // namespace tether_monitor

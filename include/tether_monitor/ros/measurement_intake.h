@@ -1,0 +1,58 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TwistStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <tether_monitor/CurrentProfile.h>
+#include <tether_monitor/Payout.h>
+#include <tf2/buffer_core.h>
+
+#include <string>
+
+#include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/ros/time_conversion.h"
+
+namespace tether_monitor
+{
+/// Which body a message is about.
+enum class BodyName
+{
+  VESSEL,
+  VEHICLE
+};
+
+/**
+ * Takes messages into an estimator: checks stamp, frame and numbers, converts, and says what was wrong.
+ *
+ * Every function returns an empty text if the message was taken, else the reason why it was not. A refused message
+ * changes nothing but the estimator's note of a refusal. Used by the node and by the replay of bags.
+ */
+class MeasurementIntake
+{
+ public:
+  /// @param transforms  for messages in frames other than the world frame; must outlive this object.
+  MeasurementIntake(monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms);
+
+  /// Sets the epoch of the input clock; before the first message.
+  void setTimeBase(const TimeBase& base) { time_ = base; }
+
+  std::string take(BodyName body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
+  std::string take(BodyName body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
+  /// Pose in header.frame_id, twist in the body's axes (child_frame_id).
+  std::string take(BodyName body, const nav_msgs::Odometry& message, const ros::Time& now);
+  std::string take(const Payout& message, const ros::Time& now);
+  std::string take(const CurrentProfile& message, const ros::Time& now);
+
+ private:
+  std::string stampProblem(const std_msgs::Header& header, const ros::Time& now) const;
+  std::string transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
+  std::string refused(const std::string& why, const ros::Time& now);
+  monitor::BodyTrack& track(BodyName body);
+  const monitor::BodyConfig& config(BodyName body) const;
+
+  monitor::TetherEstimator& estimator_;
+  const tf2::BufferCore& transforms_;
+  TimeBase time_;
+};
+
+}  // namespace tether_monitor

@@ -1,0 +1,127 @@
+#include "tether_monitor/ros/markers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tether_monitor/ros/conversions.h"
+
+namespace tether_monitor
+{
+namespace
+{
+using visualization_msgs::Marker;
+
+// Shares of the deployed length.
+constexpr double LINE_WIDTH = 0.006;
+constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
+constexpr double TEXT_HEIGHT = 0.05;
+
+std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1.0)
+{
+  std_msgs::ColorRGBA c;
+  c.r = r;
+  c.g = g;
+  c.b = b;
+  c.a = a;
+  return c;
+}
+
+Marker blank(const std_msgs::Header& header, const char* ns, int id, int type)
+{
+  Marker m;
+  m.header = header;
+  m.ns = ns;
+  m.id = id;
+  m.type = type;
+  m.action = Marker::ADD;
+  m.pose.orientation.w = 1.0;
+  m.color = colour(1.0, 1.0, 1.0);
+  return m;
+}
+
+Marker tetherLine(const std_msgs::Header& header, const monitor::Config& config, const monitor::TetherEstimate& e)
+{
+  Marker m = blank(header, "tether", 0, Marker::LINE_STRIP);
+  if (!e.has_stations)
+  {
+    m.action = Marker::DELETE;
+    return m;
+  }
+  m.scale.x = std::max(config.tether.diameter, LINE_WIDTH * e.length);
+  const double warning = config.alarms.over_tension.warning.value_or(0.8);
+  for (std::size_t i = 0; i < e.stations.s.size(); ++i)
+  {
+    m.points.push_back(pointMessage(e.stations.position[i]));
+    m.colors.push_back(utilisationColour(e.stations.tension[i] / config.tether.working_load, warning));
+  }
+  return m;
+}
+
+Marker forceArrow(const std_msgs::Header& header, int id, const monitor::Config& config,
+                  const monitor::TetherEstimate& e, const core::Vector3& force, const core::Vector3& at)
+{
+  Marker m = blank(header, "force", id, Marker::ARROW);
+  const double length = ARROW_LENGTH * e.length * std::min(force.norm() / config.tether.working_load, 2.0);
+  if (!e.has_stations || !(length > 1e-3 * e.length))
+  {
+    m.action = Marker::DELETE;
+    return m;
+  }
+  m.points = {pointMessage(at), pointMessage(at + force.normalized() * length)};
+  m.scale.x = 1.2 * LINE_WIDTH * e.length;
+  m.scale.y = 3.0 * LINE_WIDTH * e.length;
+  m.color = colour(0.2, 0.6, 1.0);
+  return m;
+}
+
+Marker statusText(const std_msgs::Header& header, const monitor::Config& config, const monitor::TetherEstimate& e,
+                  const monitor::AlarmSet& alarms)
+{
+  const double L = config.tether.length;
+  Marker m = blank(header, "status", 0, Marker::TEXT_VIEW_FACING);
+  m.scale.z = TEXT_HEIGHT * L;
+  const core::Vector3 at = e.has_stations ? e.stations.position[0] : core::Vector3::Zero();
+  m.pose.position = pointMessage(at + core::Vector3(0.0, 0.0, 0.15 * L));
+  char text[160];
+  if (e.has_stations)
+    std::snprintf(text, sizeof(text), "%s%s%s  max %.3g N (%.0f %% of working load)", describe(e.status),
+                  e.reason == monitor::Reason::NONE ? "" : " ",
+                  e.reason == monitor::Reason::NONE ? "" : describe(e.reason), e.max_tension,
+                  100.0 * e.working_utilisation);
+  else
+    std::snprintf(text, sizeof(text), "INVALID %s", describe(e.reason));
+  m.text = text;
+  m.color = e.status == monitor::Status::OK ? colour(0.9, 0.95, 0.9) : colour(1.0, 0.8, 0.2);
+  for (const monitor::Alarm& alarm : alarms.alarms())
+    if (alarm.isRaised())
+    {
+      m.text += "\n" + describeForPerson(alarm);
+      m.color = colour(1.0, 0.35, 0.3);
+    }
+  return m;
+}
+}  // namespace
+
+std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
+{
+  const double u = std::isfinite(utilisation) ? std::max(utilisation, 0.0) : 1.0;
+  if (u < warning)
+    return colour(0.1 + 0.85 * u / warning, 0.85, 0.2 - 0.1 * u / warning);
+  const double past = std::min((u - warning) / std::max(1.0 - warning, 1e-6), 1.0);
+  return colour(0.95, 0.85 * (1.0 - past), 0.1);
+}
+
+visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::Config& config,
+                                        const monitor::TetherEstimate& e, const monitor::AlarmSet& alarms)
+{
+  visualization_msgs::MarkerArray array;
+  array.markers.push_back(tetherLine(header, config, e));
+  const core::EndForces& ends = e.stations.ends;
+  array.markers.push_back(forceArrow(header, 0, config, e, ends.vessel, e.stations.position.front()));
+  array.markers.push_back(forceArrow(header, 1, config, e, ends.vehicle, e.stations.position.back()));
+  array.markers.push_back(statusText(header, config, e, alarms));
+  return array;
+}
+
+}  // namespace tether_monitor

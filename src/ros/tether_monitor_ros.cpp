@@ -1,0 +1,186 @@
+#include "tether_monitor/ros/tether_monitor_ros.h"
+
+#include <std_msgs/Bool.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+
+#include "tether_monitor/params/load_config.h"
+#include "tether_monitor/ros/conversions.h"
+#include "tether_monitor/ros/markers.h"
+#include "tether_monitor/ros/parameter_server.h"
+
+namespace tether_monitor
+{
+namespace
+{
+constexpr double ALARM_PERIOD = 1.0;        // [s]
+constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
+constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
+constexpr int INPUT_QUEUE = 100;
+constexpr int OUTPUT_QUEUE = 10;
+}  // namespace
+
+TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+  : nh_(nh)
+  , private_nh_(private_nh)
+  , estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace()))
+  , listener_(transforms_)
+  , intake_(estimator_, transforms_)
+  , updater_(nh, private_nh, private_nh.getNamespace())
+{
+  const monitor::Config& config = estimator_.config();
+  state_pub_ = private_nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
+  vessel_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", OUTPUT_QUEUE);
+  vehicle_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vehicle_end/force", OUTPUT_QUEUE);
+  over_tension_pub_ = private_nh_.advertise<std_msgs::Bool>("over_tension", OUTPUT_QUEUE);
+  alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
+  markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
+  reset_server_ = private_nh_.advertiseService("reset", &TetherMonitorRos::reset, this);
+  acknowledge_server_ = private_nh_.advertiseService("acknowledge", &TetherMonitorRos::acknowledge, this);
+
+  updater_.setHardwareID("tether");
+  updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    diagnose(estimator_, facts_, status);
+  });
+
+  for (const auto& [name, body] : {std::make_pair("vessel", BodyName::VESSEL), std::make_pair("vehicle", BodyName::VEHICLE)})
+  {
+    subscribeBody<geometry_msgs::PoseStamped>(std::string(name) + "/pose", body);
+    subscribeBody<geometry_msgs::TwistStamped>(std::string(name) + "/velocity", body);
+    subscribeBody<nav_msgs::Odometry>(std::string(name) + "/odom", body);
+  }
+  subscribe<Payout>("payout");
+  subscribe<CurrentProfile>("current");
+
+  tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
+  diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
+                                           [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  ROS_INFO("%s watches a tether of %g m in %d elements at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
+           config.tether.length, config.elements, config.rate, config.world_frame.c_str());
+}
+
+template <typename Message>
+void TetherMonitorRos::subscribeBody(const std::string& topic, BodyName body)
+{
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [this, topic, body](const boost::shared_ptr<const Message>& message) {
+        const ros::Time now = ros::Time::now();
+        ensureTimeBase(now);
+        noteRefusal(topic, intake_.take(body, *message, now));
+      };
+  subscribers_.push_back(
+      nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+template <typename Message>
+void TetherMonitorRos::subscribe(const std::string& topic)
+{
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [this, topic](const boost::shared_ptr<const Message>& message) {
+        const ros::Time now = ros::Time::now();
+        ensureTimeBase(now);
+        noteRefusal(topic, intake_.take(*message, now));
+      };
+  subscribers_.push_back(
+      nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+void TetherMonitorRos::noteRefusal(const std::string& topic, const std::string& why)
+{
+  if (why.empty())
+    return;
+  RefusalCount& refusal = facts_.refusals[topic];
+  ++refusal.count;
+  refusal.last_reason = why;
+  ROS_WARN_THROTTLE(REFUSAL_LOG_PERIOD, "refused a message on %s: %s", topic.c_str(), why.c_str());
+}
+
+void TetherMonitorRos::ensureTimeBase(const ros::Time& now)
+{
+  if (has_time_base_)
+    return;
+  has_time_base_ = true;
+  time_ = TimeBase(now);
+  intake_.setTimeBase(time_);
+}
+
+void TetherMonitorRos::tick()
+{
+  const ros::Time now = ros::Time::now();
+  if (now.isZero() || now == last_tick_)
+    return;
+  ensureTimeBase(now);
+  const ros::WallTime began = ros::WallTime::now();
+  const monitor::Status before = estimator_.estimate().status;
+  const monitor::Reason reason_before = estimator_.estimate().reason;
+  const monitor::TetherEstimate& e = estimator_.tick(time_.seconds(now));
+  if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_tick_)
+  {
+    transforms_.clear();
+    last_alarms_ = ros::Time();
+  }
+  last_tick_ = now;
+  const double step_time = (ros::WallTime::now() - began).toSec();
+  facts_.worst_step_time = std::max(facts_.worst_step_time, step_time);
+  ++facts_.ticks;
+  if (e.status != before || e.reason != reason_before)
+    ROS_INFO("%s%s%s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : ": ",
+             e.reason == monitor::Reason::NONE ? "" : advice(e.reason).c_str());
+  publish(now, step_time);
+}
+
+void TetherMonitorRos::publish(const ros::Time& stamp, double step_time)
+{
+  const monitor::TetherEstimate& e = estimator_.estimate();
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = estimator_.config().world_frame;
+
+  // The word that a control loop waits for goes first.
+  std_msgs::Bool over_tension;
+  over_tension.data = estimator_.overTension();
+  over_tension_pub_.publish(over_tension);
+
+  toMessage(e, estimator_.config().tether.stressArea(), state_message_);
+  state_message_.header = header;
+  state_message_.step_time = step_time;
+  state_pub_.publish(state_message_);
+  vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel));
+  vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle));
+  const bool due = (stamp - last_alarms_).toSec() >= ALARM_PERIOD || stamp < last_alarms_;
+  if (estimator_.alarmsChanged() || acknowledged_ || due)
+    publishAlarms(header);
+  if (markers_pub_.getNumSubscribers() > 0)
+    markers_pub_.publish(markers(header, estimator_.config(), e, estimator_.alarms()));
+}
+
+void TetherMonitorRos::publishAlarms(const std_msgs::Header& header)
+{
+  AlarmArray array = toMessage(estimator_.alarms(), time_);
+  array.header = header;
+  alarms_pub_.publish(array);
+  last_alarms_ = header.stamp;
+  acknowledged_ = false;
+}
+
+bool TetherMonitorRos::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  estimator_.reset();
+  response.success = true;
+  response.message = "motion and measurements forgotten; settling anew at the next poses";
+  ROS_INFO("reset: %s", response.message.c_str());
+  return true;
+}
+
+bool TetherMonitorRos::acknowledge(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  const int changed = estimator_.acknowledge();
+  acknowledged_ = true;
+  response.success = true;
+  response.message = std::to_string(changed) + " alarm(s) acknowledged";
+  ROS_INFO("acknowledge: %s", response.message.c_str());
+  return true;
+}
+
+}  // namespace tether_monitor

@@ -1,0 +1,98 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+
+#include "tether_monitor/params/load_config.h"
+#include "tether_monitor/params/yaml_file.h"
+#include "tether_monitor/replay/csv_table.h"
+#include "tether_monitor/replay/replay_run.h"
+#include "tether_monitor/ros/bag_replay.h"
+
+namespace
+{
+struct Arguments
+{
+  std::string config, bag, ns, motion, out;
+  double rate = 0.0;
+  double shape_rate = 1.0;
+  bool quiet = false;
+};
+
+void showProgress(double share)
+{
+  static int shown = -1;
+  const int percent = static_cast<int>(100.0 * share);
+  if (percent == shown)
+    return;
+  shown = percent;
+  std::fprintf(stderr, "\r[%-50.*s] %3d %%%s", 50, std::string(percent / 2, '#').c_str(), percent, share >= 1.0 ? "\n" : "");
+}
+
+void replay(const Arguments& arguments)
+{
+  using namespace tether_monitor;
+  monitor::TetherEstimator estimator(params::loadConfig(params::readYamlFile(arguments.config), arguments.config));
+  replay::ReplayOptions options;
+  options.rate = arguments.rate;
+  if (!arguments.quiet && isatty(STDERR_FILENO))
+    options.progress = showProgress;
+
+  if (!arguments.motion.empty())
+  {
+    const replay::Motion motion(replay::readCsv(arguments.motion));
+    replay::Recorder recorder(arguments.out, arguments.shape_rate);
+    replay::replayMotion(motion, options, estimator, recorder);
+    recorder.finish(estimator);
+  }
+  else
+  {
+    replay::Recorder recorder(arguments.out, arguments.shape_rate);
+    for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
+      std::cerr << "warning: " << warning << "\n";
+    recorder.finish(estimator);
+  }
+  if (!arguments.quiet)
+    std::cout << "wrote ends.csv, alarms.csv, summary.json" << (arguments.shape_rate > 0.0 ? " and shape.csv" : "")
+              << " to " << arguments.out << "\n";
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Runs the tether monitor over a recording as fast as it can; no ROS master is needed.");
+  Arguments arguments;
+  app.add_option("--config", arguments.config, "YAML file with the parameter tree of the node")->required();
+  auto* bag = app.add_option("--bag", arguments.bag, "bag with vessel/pose, vehicle/pose and so on");
+  app.add_option("--ns", arguments.ns, "namespace of the topics in the bag")->needs(bag);
+  auto* motion = app.add_option("--motion", arguments.motion, "CSV file with the motion of both bodies");
+  bag->excludes(motion);
+  app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
+  app.add_option("--rate", arguments.rate, "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--shape-rate", arguments.shape_rate, "shapes in shape.csv per second, 0 for none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag("--quiet", arguments.quiet, "no progress bar and no closing line");
+  try
+  {
+    app.parse(argc, argv);
+    if (arguments.bag.empty() && arguments.motion.empty())
+      throw CLI::RequiredError("--bag or --motion");
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  try
+  {
+    replay(arguments);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "tether_replay: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

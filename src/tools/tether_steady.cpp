@@ -1,0 +1,94 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <sstream>
+
+#include "tether_monitor/params/load_config.h"
+#include "tether_monitor/params/yaml_file.h"
+#include "tether_monitor/replay/output_files.h"
+
+namespace
+{
+using tether_monitor::core::Vector3;
+
+constexpr int NO_STEADY_STATE = 2;
+
+Vector3 parseVector(const std::string& name, const std::string& text)
+{
+  Vector3 v;
+  std::istringstream in(text);
+  char comma1 = 0, comma2 = 0;
+  if (!(in >> v.x() >> comma1 >> v.y() >> comma2 >> v.z()) || comma1 != ',' || comma2 != ',' || !(in >> std::ws).eof() ||
+      !v.allFinite())
+    throw std::runtime_error(name + " = '" + text + "' is not three numbers like 0,0,-5");
+  return v;
+}
+
+struct Arguments
+{
+  std::string config, out;
+  std::string vessel_position = "0,0,0";
+  std::string vehicle_position;
+  std::string vessel_velocity = "0,0,0";
+  bool quiet = false;
+};
+
+int findSteadyState(const Arguments& arguments)
+{
+  using namespace tether_monitor;
+  const monitor::Config config = params::loadConfig(params::readYamlFile(arguments.config), arguments.config);
+  const Vector3 velocity = parseVector("--vessel-velocity", arguments.vessel_velocity);
+  const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position) + config.vessel.attachment;
+  const Vector3 vehicle = parseVector("--vehicle-position", arguments.vehicle_position) + config.vehicle.attachment;
+  replay::makeFolder(arguments.out);
+
+  monitor::TetherEstimator estimator(config);
+  const monitor::TetherEstimate& estimate = estimator.begin(0.0, {{vessel, velocity}, {vehicle, velocity}, 0.0, 0.0});
+  if (!estimate.has_stations)
+  {
+    std::cerr << "tether_steady: no steady state: " << core::describe(estimator.lastSolve().status) << ", residual "
+              << estimator.lastSolve().residual << " N after " << estimator.lastSolve().iterations << " iterations\n";
+    return NO_STEADY_STATE;
+  }
+  replay::EndsFile ends(arguments.out, true);
+  ends.write(estimate, estimate.stations.position.back() - estimate.stations.position.front());
+  ends.close();
+  replay::ShapeFile shape(arguments.out);
+  shape.write(estimate);
+  shape.close();
+  if (!arguments.quiet)
+    std::cout << describe(estimate.status) << " " << (estimate.reason == monitor::Reason::NONE ? "" : describe(estimate.reason))
+              << "\ntension at the vessel end " << estimate.vessel_tension << " N, at the vehicle end "
+              << estimate.vehicle_tension << " N, largest " << estimate.max_tension << " N at s = " << estimate.max_tension_s
+              << " m\nwrote ends.csv and shape.csv to " << arguments.out << "\n";
+  return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Finds the steady shape of a tether whose ends are held and move together.");
+  Arguments arguments;
+  app.add_option("--config", arguments.config, "YAML file with the parameter tree of the node")->required();
+  app.add_option("--vessel-position", arguments.vessel_position, "X,Y,Z of the vessel [m]")->capture_default_str();
+  app.add_option("--vehicle-position", arguments.vehicle_position, "X,Y,Z of the vehicle [m]")->required();
+  app.add_option("--vessel-velocity", arguments.vessel_velocity, "VX,VY,VZ of both [m/s]")->capture_default_str();
+  app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
+  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  try
+  {
+    return findSteadyState(arguments);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "tether_steady: " << error.what() << "\n";
+    return 1;
+  }
+}
