@@ -26,9 +26,14 @@ double radiusOfCurvature(const Vector3& slope, const Vector3& curvature)
   return turn > 0.0 ? stretch * stretch * stretch / turn : std::numeric_limits<double>::infinity();  // (M18)
 }
 
-double engineeringStrain(const AxialParameters& axial, double tension)
+// Nodes get the mean of their elements, both ends are extrapolated from the two nearest elements.
+void spreadStrain(std::vector<double>& strain)
 {
-  return std::sqrt(std::max(1.0 + 2.0 * strainOfTension(axial, tension), 0.0)) - 1.0;
+  const std::size_t last = strain.size() - 1;
+  for (std::size_t i = 2; i < last; i += 2)
+    strain[i] = 0.5 * (strain[i - 1] + strain[i + 1]);
+  strain[0] = last > 2 ? 1.5 * strain[1] - 0.5 * strain[3] : strain[1];
+  strain[last] = last > 2 ? 1.5 * strain[last - 1] - 0.5 * strain[last - 3] : strain[1];
 }
 }  // namespace
 
@@ -84,8 +89,11 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
       field.s[2 * i + half] = model.arcLength(i) + 0.5 * half * l;
       field.position[2 * i + half] = interpolate(shapeFunctions(0.5 * half, l), q);
     }
+    double stretch = 0.0;
     for (const GaussPoint& point : GAUSS_POINTS)
-      field.stretched_length += point.weight * l * interpolate(shapeSlopes(point.xi, l), q).norm();
+      stretch += point.weight * interpolate(shapeSlopes(point.xi, l), q).norm();
+    field.stretched_length += l * stretch;
+    field.strain[2 * i + 1] = stretch - 1.0;
     field.largest_turn = std::max(field.largest_turn, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
     if (i == 0)
       field.ends.vessel = -force.segment<3>(0);
@@ -96,8 +104,7 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
   field.vehicle_direction = direction(state.q.back());
   field.s[2 * N] = model.length();
   field.position[2 * N] = state.q[N].head<3>();
-  for (std::size_t k = 0; k < field.s.size(); ++k)
-    field.strain[k] = engineeringStrain(model.element(std::min<int>(k / 2, N - 1)).axial, field.tension[k]);
+  spreadStrain(field.strain);
 }
 
 }  // namespace tether_monitor::core

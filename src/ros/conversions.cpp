@@ -103,18 +103,29 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
   return message;
 }
 
+const char* lifeForPerson(monitor::AlarmState state)
+{
+  switch (state)
+  {
+    case monitor::AlarmState::NORMAL:
+      return "normal";
+    case monitor::AlarmState::UNACKNOWLEDGED:
+      return "ACTIVE";
+    case monitor::AlarmState::ACKNOWLEDGED:
+      return "active, acknowledged";
+    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
+      return "back in limits, not acknowledged";
+  }
+  return "unknown";
+}
+
 std::string describeForPerson(const monitor::Alarm& alarm)
 {
   const monitor::AlarmDefinition& d = alarm.definition();
-  const bool above = d.side == monitor::Side::ABOVE;
+  const char* side = d.side == monitor::Side::ABOVE ? "above" : "below";
   char text[200];
-  const char* life = alarm.state() == monitor::AlarmState::NORMAL ? "normal"
-                     : alarm.state() == monitor::AlarmState::RETURNED_UNACKNOWLEDGED
-                         ? "back in limits, to be acknowledged"
-                     : alarm.state() == monitor::AlarmState::ACKNOWLEDGED ? "active, acknowledged"
-                                                                          : "ACTIVE";
-  int used = std::snprintf(text, sizeof(text), "%s %s: %.3g, limit %s %.3g", d.name.c_str(), life, alarm.value(),
-                           above ? "above" : "below", d.limit);
+  const int used = std::snprintf(text, sizeof(text), "%s %s: %.3g, limit %s %.3g", d.name.c_str(),
+                                 lifeForPerson(alarm.state()), alarm.value(), side, d.limit);
   if (!std::isnan(alarm.s()))
     std::snprintf(text + used, sizeof(text) - used, ", at s = %.1f m", alarm.s());
   return text;

@@ -15,7 +15,7 @@ using visualization_msgs::Marker;
 // Shares of the deployed length.
 constexpr double LINE_WIDTH = 0.006;
 constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
-constexpr double TEXT_HEIGHT = 0.05;
+constexpr double TEXT_HEIGHT = 0.04;
 
 std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1.0)
 {
@@ -81,11 +81,13 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   const double L = config.tether.length;
   Marker m = blank(header, "status", 0, Marker::TEXT_VIEW_FACING);
   m.scale.z = TEXT_HEIGHT * L;
-  const core::Vector3 at = e.has_stations ? e.stations.position[0] : core::Vector3::Zero();
-  m.pose.position = pointMessage(at + core::Vector3(0.0, 0.0, 0.15 * L));
+  const core::Vector3 at = e.has_stations ? core::Vector3(0.5 * (e.stations.position.front() + e.stations.position.back()))
+                                          : core::Vector3::Zero();
+  const double top = e.has_stations ? std::max(e.stations.position.front().z(), e.stations.position.back().z()) : 0.0;
+  m.pose.position = pointMessage(core::Vector3(at.x(), at.y(), top + 0.15 * L));
   char text[160];
   if (e.has_stations)
-    std::snprintf(text, sizeof(text), "%s%s%s  max %.3g N (%.0f %% of working load)", describe(e.status),
+    std::snprintf(text, sizeof(text), "%s%s%s   largest tension %.3g N, %.0f %% of working load", describe(e.status),
                   e.reason == monitor::Reason::NONE ? "" : " ",
                   e.reason == monitor::Reason::NONE ? "" : describe(e.reason), e.max_tension,
                   100.0 * e.working_utilisation);
@@ -96,7 +98,7 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   for (const monitor::Alarm& alarm : alarms.alarms())
     if (alarm.isRaised())
     {
-      m.text += "\n" + describeForPerson(alarm);
+      m.text += "\n" + alarm.definition().name + ": " + lifeForPerson(alarm.state());
       m.color = colour(1.0, 0.35, 0.3);
     }
   return m;

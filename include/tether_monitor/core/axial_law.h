@@ -45,8 +45,4 @@ inline AxialLaw axialLaw(const AxialParameters& p, double eps)
           p.residual * EA * eps + soft * eps * d, p.residual * EA + soft * d * d};
 }
 
-/// Strain eps at which the law carries the physical tension N(eps) sqrt(1 + 2 eps) = tension [N]; inverse of (M3).
-/// Finite for every finite tension; a push beyond what the law carries returns the strain of its residual branch.
-double strainOfTension(const AxialParameters& p, double tension);
-
 }  // namespace tether_monitor::core

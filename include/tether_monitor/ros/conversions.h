@@ -34,6 +34,9 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
 
 AlarmArray toMessage(const monitor::AlarmSet& alarms, const TimeBase& time);
 
+/// Where an alarm stands in its life, for a person: "ACTIVE", "back in limits, not acknowledged".
+const char* lifeForPerson(monitor::AlarmState state);
+
 /// One line for a person: "over_tension: 1.12 is above 1 (fraction of the working load) at s = 0 m".
 std::string describeForPerson(const monitor::Alarm& alarm);
 
