@@ -87,10 +87,14 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   m.pose.position = pointMessage(core::Vector3(at.x(), at.y(), top + 0.15 * L));
   char text[160];
   if (e.has_stations)
-    std::snprintf(text, sizeof(text), "%s%s%s   largest tension %.3g N, %.0f %% of working load", describe(e.status),
-                  e.reason == monitor::Reason::NONE ? "" : " ",
-                  e.reason == monitor::Reason::NONE ? "" : describe(e.reason), e.max_tension,
-                  100.0 * e.working_utilisation);
+  {
+    char tension[80] = "slack";
+    if (e.max_tension > 0.0)
+      std::snprintf(tension, sizeof(tension), "largest tension %.3g N, %.0f %% of working load", e.max_tension,
+                    100.0 * e.working_utilisation);
+    std::snprintf(text, sizeof(text), "%s%s%s   %s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : " ",
+                  e.reason == monitor::Reason::NONE ? "" : describe(e.reason), tension);
+  }
   else
     std::snprintf(text, sizeof(text), "INVALID %s", describe(e.reason));
   m.text = text;
