@@ -28,7 +28,7 @@ std::vector<std::string> problems(const CableProperties& p)
   check.notNegative("drag_normal", p.drag_normal, "[-]");
   check.notNegative("drag_tangential", p.drag_tangential, "[-]");
   check.notNegative("added_mass_normal", p.added_mass_normal, "[-]");
-  check.require(std::isfinite(p.working_load) && p.working_load > 0.0 && p.working_load <= p.breaking_load,
+  check.require(std::isfinite(p.working_load) && p.working_load > 0.0 && !(p.working_load > p.breaking_load),
                 "working_load", p.working_load, "> 0 N and <= breaking_load");
   check.positive("breaking_load", p.breaking_load, "N");
   if (p.load_area)

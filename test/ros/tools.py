@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import rosbag
+import rospkg
+import rospy
+import rostest
+from geometry_msgs.msg import PoseStamped
+from std_msgs.msg import String
+
+PACKAGE = rospkg.RosPack().get_path("tether_monitor")
+SITE = PACKAGE + "/test/ros/common/test_site.yaml"
+TANK = PACKAGE + "/config/tank_run.yaml"
+TANK_BAG = PACKAGE + "/test/data/tank_run.bag"
+HEADER = "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z\n"
+
+
+def run(tool, *arguments):
+    return subprocess.run(["rosrun", "tether_monitor", tool] + list(arguments), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True, timeout=60)
+
+
+def rows(path):
+    with open(path, newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+class Tools(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = os.path.join(self.folder.name, "out")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def file(self, name, text):
+        path = os.path.join(self.folder.name, name)
+        with open(path, "w") as target:
+            target.write(text)
+        return path
+
+    def refused(self, ended, *words):
+        self.assertEqual(ended.returncode, 1, ended.stdout)
+        for word in words:
+            self.assertIn(word, ended.stdout)
+
+    def replay(self, *arguments, config=SITE):
+        return run("tether_replay", "--config", config, "--out", self.out, "--quiet", *arguments)
+
+    def test_bag(self):
+        ended = self.replay("--bag", TANK_BAG, config=TANK)
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        ends = rows(self.out + "/ends.csv")
+        self.assertEqual(len(ends), 249)
+        self.assertTrue(all(row["status"] in ("OK", "DEGRADED") for row in ends))
+        with open(self.out + "/summary.json") as text:
+            summary = json.load(text)
+        self.assertEqual(set(summary), {"simulated_seconds", "cpu_seconds", "steps", "iterations", "rejected_steps",
+                                        "worst_step_us", "max_tension", "max_tension_t", "max_tension_s", "status"})
+        self.assertEqual(sum(summary["status"].values()), 249)
+        alarms = rows(self.out + "/alarms.csv")
+        self.assertIn("over_tension", [row["name"] for row in alarms])
+        self.assertEqual(len({row["t"] for row in rows(self.out + "/shape.csv")}), 13)
+
+    def test_motion_with_a_gap_in_time(self):
+        motion = self.file("m.csv", "# a comment\n" + HEADER + "0,0,0,1,60,0,-70\n0.5,0,0,1,60.1,0,-70\n4,0,0,1,61,0,-70\n")
+        ended = self.replay("--motion", motion, "--shape-rate", "0")
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertEqual([row["t"] for row in rows(self.out + "/ends.csv")], ["0", "0.5", "4"])
+        self.assertFalse(os.path.exists(self.out + "/shape.csv"))
+
+    def test_bad_motions(self):
+        self.refused(self.replay("--motion", self.file("m.csv", "")), "m.csv is empty")
+        self.refused(self.replay("--motion", self.file("m.csv", HEADER.replace(",vessel_z", "") + "0,0,0,0,0,0\n")),
+                     "column vessel_z is missing")
+        self.refused(self.replay("--motion", self.file("m.csv", HEADER + "0,0,0,1,60,0,-70\n0,0,0,1,60,0,-70\n")),
+                     "m.csv, line 3: t does not increase")
+        self.refused(self.replay("--motion", "/nowhere.csv"), "cannot read /nowhere.csv")
+
+    def test_bad_bags(self):
+        self.refused(self.replay("--bag", "/nowhere.bag"), "/nowhere.bag")
+        self.refused(self.replay("--bag", self.file("text.bag", "no bag at all\n")), "text.bag")
+        with open(TANK_BAG, "rb") as whole:
+            content = whole.read()
+        for name, share in (("half.bag", 0.5), ("stub.bag", 0.0001), ("nothing.bag", 0.0)):
+            path = os.path.join(self.folder.name, name)
+            with open(path, "wb") as part:
+                part.write(content[:int(share * len(content))])
+            self.refused(self.replay("--bag", path), name)
+        empty = os.path.join(self.folder.name, "empty.bag")
+        with rosbag.Bag(empty, "w"):
+            pass
+        self.refused(self.replay("--bag", empty), "empty.bag", "no messages at all")
+        foreign = os.path.join(self.folder.name, "foreign.bag")
+        with rosbag.Bag(foreign, "w") as bag:
+            bag.write("/chatter", String("hello"), rospy.Time(1))
+            pose = PoseStamped()
+            pose.header.stamp = rospy.Time(1)
+            bag.write("/rov7/vessel/pose", pose, rospy.Time(1))
+        self.refused(self.replay("--bag", foreign), "/vessel/pose", "/chatter", "Try --ns rov7")
+        with rosbag.Bag(foreign, "w") as bag:
+            for topic in ("/vessel/pose", "/vehicle/pose"):
+                bag.write(topic, pose, rospy.Time(1))
+        self.refused(self.replay("--bag", foreign), "was refused", "frame_id is empty")
+
+    def test_bad_arguments(self):
+        self.assertEqual(run("tether_replay").returncode, 1)
+        self.assertEqual(run("tether_replay", "--help").returncode, 0)
+        self.refused(run("tether_replay", "--config", SITE, "--out", self.out), "--bag or --motion")
+        self.refused(self.replay("--bag", TANK_BAG, "--motion", "x.csv"), "excludes")
+        self.refused(self.replay("--bag", TANK_BAG, config="/nowhere.yaml"), "/nowhere.yaml")
+        bad = self.file("bad.yaml", "tether: {length: 3}\n")
+        self.refused(self.replay("--bag", TANK_BAG, config=bad), "bad.yaml", "tether.diameter is missing")
+        blocker = self.file("blocker", "")
+        self.refused(run("tether_replay", "--config", TANK, "--bag", TANK_BAG, "--out", blocker + "/out", "--quiet"),
+                     "cannot make the folder " + blocker + "/out")
+
+    def test_steady(self):
+        ended = run("tether_steady", "--config", SITE, "--vessel-position", "0,0,1", "--vehicle-position", "60,0,-70",
+                    "--out", self.out)
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        ends = rows(self.out + "/ends.csv")
+        self.assertEqual(len(ends), 1)
+        self.assertEqual(float(ends[0]["vehicle_z"]), -71.0)
+        self.assertLess(float(ends[0]["vessel_fz"]), 0.0)
+        self.assertEqual(len(rows(self.out + "/shape.csv")), 41)
+        self.refused(run("tether_steady", "--config", SITE, "--vehicle-position", "60,0", "--out", self.out),
+                     "--vehicle-position = '60,0' is not three numbers")
+        self.assertEqual(run("tether_steady", "--config", SITE, "--out", self.out).returncode, 1)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("tether_monitor", "tools", Tools)

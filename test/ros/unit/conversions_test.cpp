@@ -1,0 +1,188 @@
+#include "tether_monitor/ros/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include "tether_monitor/ros/markers.h"
+#include "tether_monitor/ros/measurement_intake.h"
+
+namespace tether_monitor
+{
+monitor::Config config()
+{
+  monitor::Config c;
+  c.tether.length = 100.0;
+  c.tether.diameter = 0.012;
+  c.tether.mass_per_length = 0.2;
+  c.tether.axial_stiffness = 1.0e6;
+  c.tether.working_load = 1000.0;
+  c.tether.breaking_load = 5000.0;
+  c.elements = 10;
+  return c;
+}
+
+TEST(TimeBase, GoesBothWaysToTheNanosecond)
+{
+  const TimeBase base(ros::Time(1700000000, 123456789));
+  EXPECT_NEAR(base.seconds(ros::Time(1700000001, 5)), 1.000000005, 1e-12);
+  EXPECT_EQ(base.stamp(base.seconds(ros::Time(1700000123, 456789012))), ros::Time(1700000123, 456789012));
+  EXPECT_EQ(TimeBase().stamp(-5.0), ros::Time());
+}
+
+TEST(Quaternion, KeepsItsOrder)
+{
+  geometry_msgs::Quaternion q;
+  q.x = 0.1, q.y = 0.2, q.z = 0.3, q.w = 0.9;
+  EXPECT_EQ(quaternion(q).x(), 0.1);
+  EXPECT_EQ(quaternion(q).w(), 0.9);
+}
+
+TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
+{
+  monitor::TetherEstimate e;
+  e.stations = core::StationField(10);
+  TetherState message;
+  message.s = {1.0, 2.0};
+  message.max_tension = 7.0;
+  toMessage(e, 1.0, message);
+  EXPECT_TRUE(message.s.empty());
+  EXPECT_TRUE(message.stress.empty());
+  EXPECT_TRUE(std::isnan(message.max_tension));
+  EXPECT_TRUE(std::isnan(message.vehicle_relative.x));
+  EXPECT_TRUE(std::isinf(message.vessel_age));
+  EXPECT_TRUE(std::isnan(wrenchMessage(std_msgs::Header(), e, core::Vector3::Ones()).wrench.force.x));
+}
+
+TEST(StateMessage, CarriesTheEstimate)
+{
+  monitor::TetherEstimator estimator(config());
+  const monitor::TetherEstimate& e = estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.1, 0.2});
+  ASSERT_TRUE(e.has_stations);
+  TetherState message;
+  toMessage(e, 2.0e-5, message);
+  ASSERT_EQ(message.s.size(), 21u);
+  EXPECT_EQ(message.position.size(), 21u);
+  EXPECT_EQ(message.stress[4], message.tension[4] / 2.0e-5);
+  EXPECT_NEAR(message.vehicle_relative.z, -60.0, 1e-9);
+  EXPECT_EQ(message.vehicle_age, 0.2);
+}
+
+TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
+{
+  monitor::TetherEstimator estimator(config());
+  const auto names = [](const visualization_msgs::MarkerArray& array) {
+    std::vector<std::pair<std::string, int>> ids;
+    for (const auto& m : array.markers)
+      ids.emplace_back(m.ns, m.id);
+    return ids;
+  };
+  const auto invalid = markers(std_msgs::Header(), config(), estimator.estimate(), estimator.alarms());
+  EXPECT_EQ(invalid.markers[0].action, visualization_msgs::Marker::DELETE);
+  estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.0, 0.0});
+  const auto valid = markers(std_msgs::Header(), config(), estimator.estimate(), estimator.alarms());
+  EXPECT_EQ(names(invalid), names(valid));
+  EXPECT_EQ(valid.markers[0].action, visualization_msgs::Marker::ADD);
+  EXPECT_EQ(valid.markers[0].points.size(), valid.markers[0].colors.size());
+}
+
+TEST(UtilisationColour, GoesFromGreenOverYellowToRed)
+{
+  EXPECT_GT(utilisationColour(0.0, 0.8).g, 0.7);
+  EXPECT_LT(utilisationColour(0.0, 0.8).r, 0.3);
+  EXPECT_GT(utilisationColour(0.8, 0.8).r, 0.9);
+  EXPECT_GT(utilisationColour(0.8, 0.8).g, 0.8);
+  EXPECT_LT(utilisationColour(1.2, 0.8).g, 0.1);
+}
+
+class Intake : public ::testing::Test
+{
+ protected:
+  Intake() : estimator(config()), intake(estimator, transforms)
+  {
+    intake.setTimeBase(TimeBase(ros::Time(100.0)));
+    geometry_msgs::TransformStamped shift;
+    shift.header.frame_id = "map";
+    shift.child_frame_id = "site";
+    shift.transform.translation.x = 10.0;
+    shift.transform.rotation.z = shift.transform.rotation.w = std::sqrt(0.5);  // a quarter turn to the left
+    transforms.setTransform(shift, "test", true);
+  }
+  geometry_msgs::PoseStamped pose(const std::string& frame) const
+  {
+    geometry_msgs::PoseStamped p;
+    p.header.stamp = ros::Time(101.0);
+    p.header.frame_id = frame;
+    p.pose.position.x = 1.0;
+    p.pose.orientation.w = 1.0;
+    return p;
+  }
+  const ros::Time now{101.0};
+  monitor::TetherEstimator estimator;
+  tf2::BufferCore transforms;
+  MeasurementIntake intake;
+};
+
+TEST_F(Intake, TransformsAKnownFrame)
+{
+  ASSERT_EQ(intake.take(BodyName::VESSEL, pose("site"), now), "");
+  EXPECT_LT((estimator.vessel().at(1.0).position - core::Vector3(10.0, 1.0, 0.0)).norm(), 1e-12);
+}
+
+TEST_F(Intake, RefusesAnUnknownAnEmptyFrameAndTheFuture)
+{
+  EXPECT_NE(intake.take(BodyName::VESSEL, pose("nowhere"), now).find("nowhere"), std::string::npos);
+  EXPECT_NE(intake.take(BodyName::VESSEL, pose(""), now).find("empty"), std::string::npos);
+  EXPECT_NE(intake.take(BodyName::VESSEL, pose("map"), ros::Time(50.0)).find("future"), std::string::npos);
+  EXPECT_FALSE(estimator.vessel().hasPose());
+}
+
+TEST_F(Intake, TurnsATwistInBodyAxesIntoTheWorld)
+{
+  geometry_msgs::PoseStamped p = pose("map");
+  p.pose.orientation.z = p.pose.orientation.w = std::sqrt(0.5);
+  geometry_msgs::TwistStamped twist;
+  twist.header = p.header;
+  twist.header.frame_id = "base_link";
+  twist.twist.linear.x = 2.0;  // ahead
+  EXPECT_NE(intake.take(BodyName::VEHICLE, twist, now), "") << "no attitude yet";
+  ASSERT_EQ(intake.take(BodyName::VEHICLE, p, now), "");
+  ASSERT_EQ(intake.take(BodyName::VEHICLE, twist, now), "");
+  EXPECT_LT((estimator.vehicle().at(1.0).velocity - core::Vector3(0.0, 2.0, 0.0)).norm(), 1e-12);
+}
+
+TEST_F(Intake, OdometryCarriesBothInItsOwnFrames)
+{
+  nav_msgs::Odometry odom;
+  odom.header = pose("map").header;
+  odom.pose.pose.orientation.z = odom.pose.pose.orientation.w = std::sqrt(0.5);
+  odom.twist.twist.linear.x = 1.0;
+  odom.twist.twist.angular.z = 0.3;
+  ASSERT_EQ(intake.take(BodyName::VESSEL, odom, now), "");
+  EXPECT_LT((estimator.vessel().at(1.0).velocity - core::Vector3(0.0, 1.0, 0.0)).norm(), 1e-12);
+  EXPECT_NEAR(estimator.vessel().at(1.0).angular_velocity.z(), 0.3, 1e-12);
+  odom.twist.twist.linear.x = NAN;
+  odom.header.stamp += ros::Duration(0.1);
+  EXPECT_NE(intake.take(BodyName::VESSEL, odom, now), "");
+  EXPECT_DOUBLE_EQ(estimator.vessel().age(1.1), 0.1) << "a refused odometry leaves no pose behind";
+}
+
+TEST_F(Intake, ChecksPayoutAndCurrent)
+{
+  Payout payout;
+  payout.header.stamp = now;
+  payout.length = -1.0;
+  EXPECT_NE(intake.take(payout, now), "");
+  payout.length = 80.0;
+  EXPECT_EQ(intake.take(payout, now), "");
+  EXPECT_DOUBLE_EQ(estimator.model().length(), 80.0);
+  CurrentProfile current;
+  current.header = pose("map").header;
+  current.depth = {0.0, 10.0};
+  current.velocity.resize(1);
+  EXPECT_NE(intake.take(current, now), "");
+  current.velocity.resize(2);
+  current.velocity[1].x = 0.5;
+  EXPECT_EQ(intake.take(current, now), "");
+  EXPECT_DOUBLE_EQ(estimator.model().environment().current.at(-10.0).x(), 0.5);
+}
+
+}  // namespace tether_monitor
