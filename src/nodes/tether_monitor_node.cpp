@@ -5,9 +5,12 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "tether_monitor");
+  // Declared outside the try block: with the last handle gone, ROS would shut down before it could log the error.
+  const ros::NodeHandle nh;
+  const ros::NodeHandle private_nh("~");
   try
   {
-    tether_monitor::TetherMonitorRos monitor(ros::NodeHandle(), ros::NodeHandle("~"));
+    tether_monitor::TetherMonitorRos monitor(nh, private_nh);
     ros::spin();
   }
   catch (const std::exception& error)

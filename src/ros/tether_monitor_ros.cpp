@@ -65,9 +65,7 @@ void TetherMonitorRos::subscribeBody(const std::string& topic, BodyName body)
 {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
       [this, topic, body](const boost::shared_ptr<const Message>& message) {
-        const ros::Time now = ros::Time::now();
-        ensureTimeBase(now);
-        noteRefusal(topic, intake_.take(body, *message, now));
+        receive(topic, [&](const ros::Time& now) { return intake_.take(body, *message, now); });
       };
   subscribers_.push_back(
       nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
@@ -78,12 +76,19 @@ void TetherMonitorRos::subscribe(const std::string& topic)
 {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
       [this, topic](const boost::shared_ptr<const Message>& message) {
-        const ros::Time now = ros::Time::now();
-        ensureTimeBase(now);
-        noteRefusal(topic, intake_.take(*message, now));
+        receive(topic, [&](const ros::Time& now) { return intake_.take(*message, now); });
       };
   subscribers_.push_back(
       nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+void TetherMonitorRos::receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take)
+{
+  const ros::Time now = ros::Time::now();
+  if (now.isZero())
+    return noteRefusal(topic, "simulated time has not begun: nothing on /clock yet");
+  ensureTimeBase(now);
+  noteRefusal(topic, take(now));
 }
 
 void TetherMonitorRos::noteRefusal(const std::string& topic, const std::string& why)

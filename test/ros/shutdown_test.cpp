@@ -1,7 +1,9 @@
 #include <signal.h>
-#include <stdio.h>
 
-#include <memory>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "common/main.h"
 #include "common/scenario.h"
@@ -10,12 +12,21 @@ using namespace tether_monitor;
 
 namespace
 {
-// Process of the node, by its unique command line argument; 0 if there is none.
+std::string contentOf(const std::filesystem::path& path)
+{
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// Process of the node that talks to this test's master, found by command line and environment; 0 if there is none.
 pid_t nodeProcess()
 {
-  std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen("pgrep -f '[t]ether_monitor_node __name:=tether_monitor'", "r"), pclose);
-  int pid = 0;
-  return pipe && fscanf(pipe.get(), "%d", &pid) == 1 ? pid : 0;
+  const std::string master = std::string("ROS_MASTER_URI=") + std::getenv("ROS_MASTER_URI") + '\0';
+  for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+    if (contentOf(entry.path() / "cmdline").find("tether_monitor_node") != std::string::npos &&
+        contentOf(entry.path() / "environ").find(master) != std::string::npos)
+      return std::atoi(entry.path().filename().c_str());
+  return 0;
 }
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <tether_monitor/TetherState.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +38,7 @@ class TetherMonitorRos
   void subscribeBody(const std::string& topic, BodyName body);
   template <typename Message>
   void subscribe(const std::string& topic);
+  void receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take);
   void noteRefusal(const std::string& topic, const std::string& why);
   void ensureTimeBase(const ros::Time& now);
   void tick();

@@ -33,6 +33,8 @@ class Scenario
                     nh_.subscribe("/diagnostics", 100, &Scenario::onDiagnostics, this)};
     waitFor([this] { return vessel_.getNumSubscribers() > 0 && vehicle_.getNumSubscribers() > 0 &&
                             subscribers_[0].getNumPublishers() > 0 && clock_.getNumSubscribers() > 1; }, 20.0);
+    setClock();
+    ros::WallDuration(0.1).sleep();
   }
 
   /// Lets `duration` seconds pass, 50 ms at a time; the poses are published before the clock moves to their stamp.
@@ -48,9 +50,7 @@ class Scenario
       if (vehicle_alive)
         vehicle_.publish(pose(vehicle_position, frame));
       ros::WallDuration(0.004).sleep();  // poses travel on other sockets than the clock
-      rosgraph_msgs::Clock now;
-      now.clock = ros::Time(time);
-      clock_.publish(now);
+      setClock();
       waitFor([this] { return std::abs(state.header.stamp.toSec() - time) < 1e-3; }, 0.25);
     }
   }
@@ -103,7 +103,10 @@ class Scenario
   /// Waits for a diagnostic whose values or message contain `text`.
   bool diagnosticsSay(const std::string& text)
   {
-    return waitFor([&] { return diagnostics_text_.find(text) != std::string::npos; }, 5.0);
+    const bool said = waitFor([&] { return diagnostics_text_.find(text) != std::string::npos; }, 5.0);
+    if (!said)
+      ROS_ERROR_STREAM("the diagnostics say:\n" << diagnostics_text_);
+    return said;
   }
 
   double time = 1000.0;
@@ -120,6 +123,12 @@ class Scenario
   AlarmArray alarms;
 
  private:
+  void setClock()
+  {
+    rosgraph_msgs::Clock now;
+    now.clock = ros::Time(time);
+    clock_.publish(now);
+  }
   void onState(const TetherState& message) { state = message; }
   void onOverTension(const std_msgs::Bool& message)
   {

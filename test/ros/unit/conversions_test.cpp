@@ -162,7 +162,7 @@ TEST_F(Intake, OdometryCarriesBothInItsOwnFrames)
   odom.twist.twist.linear.x = NAN;
   odom.header.stamp += ros::Duration(0.1);
   EXPECT_NE(intake.take(BodyName::VESSEL, odom, now), "");
-  EXPECT_DOUBLE_EQ(estimator.vessel().age(1.1), 0.1) << "a refused odometry leaves no pose behind";
+  EXPECT_NEAR(estimator.vessel().age(1.1), 0.1, 1e-12) << "a refused odometry leaves no pose behind";
 }
 
 TEST_F(Intake, ChecksPayoutAndCurrent)
