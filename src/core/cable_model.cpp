@@ -83,8 +83,8 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
   }
 }
 
-void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeField& a, const TangentWeights& weights,
-                          NodeField& residual, BlockTridiagonal& tangent) const
+void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeField& a,
+                          const TangentWeights& weights, NodeField& residual, BlockTridiagonal& tangent) const
 {
   for (NodeCoords& row : residual)
     row.setZero();
@@ -101,7 +101,8 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
   }
 }
 
-ElementCoords CableModel::elementResidualOf(int i, const NodeField& q, const NodeField& v, const NodeField& a) const
+ElementCoords CableModel::elementResidualOf(int i, const NodeField& q, const NodeField& v,
+                                            const NodeField& a) const
 {
   const ElementMotion motion{elementCoords(q, i), elementCoords(v, i), elementCoords(a, i)};
   ElementCoords r;

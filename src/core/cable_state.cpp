@@ -14,9 +14,8 @@ CableState::CableState(double t, const NodeField& shape, const Vector3& V)
 
 bool CableState::allFinite() const
 {
-  const auto finite = [](const NodeField& field) {
-    return std::all_of(field.begin(), field.end(), [](const NodeCoords& x) { return x.allFinite(); });
-  };
+  const auto finite = [](const NodeField& field)
+  { return std::all_of(field.begin(), field.end(), [](const NodeCoords& x) { return x.allFinite(); }); };
   return std::isfinite(time) && finite(q) && finite(v) && finite(a) && finite(aux);
 }
 

@@ -6,7 +6,9 @@
 
 namespace tether_monitor::core
 {
-CurrentProfile::CurrentProfile(const Vector3& velocity) : CurrentProfile(std::vector<Sample>{{0.0, velocity}}) {}
+CurrentProfile::CurrentProfile(const Vector3& velocity) : CurrentProfile(std::vector<Sample>{{0.0, velocity}})
+{
+}
 
 CurrentProfile::CurrentProfile(std::vector<Sample> samples) : samples_(std::move(samples))
 {

@@ -33,15 +33,16 @@ void addAxial(const ElementParameters& p, const Vector3& slope, const Vector3& s
   if constexpr (WITH_TANGENT)
   {
     const double viscous = p.axial.damping * p.axial.stiffness;
-    out.n_dr += w.stiffness * N * Matrix3::Identity() + slope * ((w.stiffness * law.modulus + w.damping * viscous) * slope +
-                                                                 w.stiffness * viscous * slope_rate)
-                                                                    .transpose();
+    out.n_dr +=
+        w.stiffness * N * Matrix3::Identity() +
+        slope * ((w.stiffness * law.modulus + w.damping * viscous) * slope + w.stiffness * viscous * slope_rate)
+                    .transpose();
   }
 }
 
 template <bool WITH_TANGENT>
-void addWater(const ElementParameters& p, const Environment& sea, double piece, const Vector3& r, const Vector3& slope,
-              const Vector3& v, const Vector3& a, const TangentWeights& w, PointLoads& out)
+void addWater(const ElementParameters& p, const Environment& sea, double piece, const Vector3& r,
+              const Vector3& slope, const Vector3& v, const Vector3& a, const TangentWeights& w, PointLoads& out)
 {
   const Submersion wet = submersion(r.z(), std::abs(slope.z()) * piece + p.diameter);  // (M8)
   const double displaced = sea.water_density * p.area;
@@ -59,7 +60,8 @@ void addWater(const ElementParameters& p, const Environment& sea, double piece, 
   out.f += added * (normal_plane * a);  // (M10)
   if constexpr (WITH_TANGENT)
   {
-    const DragLaw drag = morisonDrag(half_rho_d * p.drag_normal, half_rho_d * p.drag_tangential, u, slope);  // (M9)
+    const DragLaw drag =
+        morisonDrag(half_rho_d * p.drag_normal, half_rho_d * p.drag_tangential, u, slope);  // (M9)
     out.f += drag.force;
     out.f_r += w.damping * drag.d_velocity + w.mass * added * normal_plane;
     out.f_dr += w.stiffness * drag.d_slope;
@@ -104,7 +106,8 @@ void evaluate(const ElementParameters& p, const Environment& sea, const ElementM
 
     PointLoads at;
     addAxial<WITH_TANGENT>(p, slope, interpolate(dS, m.v), w, at);
-    addWater<WITH_TANGENT>(p, sea, weight, interpolate(S, m.q), slope, interpolate(S, m.v), interpolate(S, m.a), w, at);
+    addWater<WITH_TANGENT>(p, sea, weight, interpolate(S, m.q), slope, interpolate(S, m.v), interpolate(S, m.a), w,
+                           at);
 
     for (int i = 0; i < 4; ++i)
     {
@@ -130,7 +133,8 @@ void elementResidual(const ElementParameters& p, const Environment& sea, const E
   evaluate<true>(p, sea, motion, weights, residual, &tangent);
 }
 
-ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const ElementCoords& q, const ElementCoords& v)
+ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const ElementCoords& q,
+                            const ElementCoords& v)
 {
   ElementEnergy energy{0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < 4; ++i)

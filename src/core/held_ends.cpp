@@ -19,12 +19,14 @@ double roundOff(const CableModel& model, const NodeField& q)
 }
 }  // namespace
 
-ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options, NodeField& residual)
+ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
+                      NodeField& residual)
 {
   const double reaction = std::max(residual.front().head<3>().norm(), residual.back().head<3>().norm());
   residual.front().head<3>().setZero();
   residual.back().head<3>().setZero();
-  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q), 0.0};
+  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q),
+                    0.0};
   double sum = reaction;
   for (int i = 0; i < model.nodes(); ++i)
   {

@@ -16,7 +16,8 @@ constexpr double WIDEST_SPAN = 0.6;   // share of the length to which a bight is
 // x > 0 with sinh(x)/x = ratio > 1.
 double solveSinhRatio(double ratio)
 {
-  double x = ratio < 3.0 ? std::sqrt(6.0 * (ratio - 1.0)) : std::log(2.0 * ratio) + std::log(std::log(2.0 * ratio));
+  double x =
+      ratio < 3.0 ? std::sqrt(6.0 * (ratio - 1.0)) : std::log(2.0 * ratio) + std::log(std::log(2.0 * ratio));
   for (int i = 0; i < 60; ++i)
   {
     const double f = std::sinh(x) - ratio * x;
@@ -93,10 +94,12 @@ Vector3 Catenary::position(double s) const
   const double a = parameter_;
   const double u0 = vertex_ / a;
   const double u = (vertex_ - s) / a;
-  return from_ + a * (std::asinh(u0) - std::asinh(u)) * along_ + a * (std::hypot(1.0, u0) - std::hypot(1.0, u)) * down_;
+  return from_ + a * (std::asinh(u0) - std::asinh(u)) * along_ +
+         a * (std::hypot(1.0, u0) - std::hypot(1.0, u)) * down_;
 }
 
-NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity)
+NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+                       const Vector3& velocity)
 {
   const double L = model.length();
   const Vector3 load = netLoad(model, vessel, vehicle, velocity);

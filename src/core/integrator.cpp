@@ -25,7 +25,8 @@ GeneralizedAlpha::GeneralizedAlpha(int nodes, double spectral_radius, const Newt
 void GeneralizedAlpha::placeEnds(const EndPaths& ends)
 {
   const double t = trial_.time;
-  const auto place = [&](const EndPath& path, std::size_t node) {
+  const auto place = [&](const EndPath& path, std::size_t node)
+  {
     trial_.q[node].head<3>() = path.position(t);
     trial_.v[node].head<3>() = path.velocity(t);
     trial_.a[node].head<3>() = path.acceleration(t);
@@ -88,7 +89,8 @@ SolveReport GeneralizedAlpha::step(const CableModel& model, const EndPaths& ends
   }
 }
 
-SolveReport GeneralizedAlpha::initialiseAcceleration(const CableModel& model, const EndPaths& ends, CableState& state)
+SolveReport GeneralizedAlpha::initialiseAcceleration(const CableModel& model, const EndPaths& ends,
+                                                     CableState& state)
 {
   SolveReport report;
   trial_ = state;

@@ -12,10 +12,10 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double FOLDED = 0.3;      // |r'| [-] below which an element is folded
-constexpr double FIRST_MOVE = 0.01; // first step: the load moves the tether by this share of its length
+constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is folded
+constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
 constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
-constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
+constexpr double NEWTON_TAU = 1e9;        // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
 void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
@@ -31,7 +31,8 @@ void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
   }
 }
 
-void addMetricForce(const CableModel& model, double scale, const NodeField& q, const NodeField& start, NodeField& residual)
+void addMetricForce(const CableModel& model, double scale, const NodeField& q, const NodeField& start,
+                    NodeField& residual)
 {
   for (int i = 0; i < model.elements(); ++i)
   {
@@ -55,13 +56,7 @@ bool isFolded(const CableModel& model, const NodeField& q)
 }  // namespace
 
 Statics::Statics(int nodes, const StaticsOptions& options)
-  : options_(options)
-  , q_(nodes, NodeCoords::Zero())
-  , start_(q_)
-  , v_(q_)
-  , a_(q_)
-  , residual_(q_)
-  , tangent_(nodes)
+  : options_(options), q_(nodes, NodeCoords::Zero()), start_(q_), v_(q_), a_(q_), residual_(q_), tangent_(nodes)
 {
 }
 
@@ -138,7 +133,8 @@ SolveReport Statics::flow(const CableModel& model, double& tau, int& iterations_
 {
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
-  const double scale = tau >= NEWTON_TAU * FIRST_MOVE * model.length() * model.length() / model.forceScale() ? 0.0 : 1.0 / tau;
+  const double scale =
+      tau >= NEWTON_TAU * FIRST_MOVE * model.length() * model.length() / model.forceScale() ? 0.0 : 1.0 / tau;
   // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
   NewtonOptions newton = options_.newton;
   if (scale > 0.0)

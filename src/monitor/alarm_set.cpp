@@ -76,7 +76,8 @@ bool AlarmSet::update(const TetherEstimate& e)
 
 int AlarmSet::acknowledge(double t)
 {
-  return static_cast<int>(std::count_if(alarms_.begin(), alarms_.end(), [t](Alarm& a) { return a.acknowledge(t); }));
+  return static_cast<int>(
+      std::count_if(alarms_.begin(), alarms_.end(), [t](Alarm& a) { return a.acknowledge(t); }));
 }
 
 void AlarmSet::restartClocks()

@@ -99,7 +99,8 @@ void BodyTrack::clear()
 
 double BodyTrack::age(double t) const
 {
-  const auto after = std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
   return after == poses_.begin() ? std::numeric_limits<double>::infinity() : t - std::prev(after)->t;
 }
 
@@ -122,7 +123,8 @@ std::optional<BodyTrack::Rates> BodyTrack::measuredRates(double t) const
 {
   if (rates_.empty())
     return std::nullopt;
-  const auto after = std::lower_bound(rates_.begin(), rates_.end(), t, [](const Rates& r, double x) { return r.t < x; });
+  const auto after =
+      std::lower_bound(rates_.begin(), rates_.end(), t, [](const Rates& r, double x) { return r.t < x; });
   if (after == rates_.end())
     return t - rates_.back().t <= RATES_REACH ? std::optional<Rates>(rates_.back()) : std::nullopt;
   if (after == rates_.begin())
@@ -171,12 +173,14 @@ BodyTrack::Slope BodyTrack::ratesAt(std::size_t pose, double t) const
     spread += dt * dt;
     slope += dt * (poses_[i].position - poses_[first].position - mean);
   }
-  return {slope / spread, rotationRate(poses_[first].orientation, poses_[last].orientation, poses_[last].t - poses_[first].t)};
+  return {slope / spread,
+          rotationRate(poses_[first].orientation, poses_[last].orientation, poses_[last].t - poses_[first].t)};
 }
 
 BodyState BodyTrack::at(double t) const
 {
-  const auto after = std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
   const std::size_t hi = after - poses_.begin();
   if (hi == 0 || hi == poses_.size())
   {
@@ -184,8 +188,8 @@ BodyState BodyTrack::at(double t) const
     const Pose& pose = poses_[known];
     const Slope rates = ratesAt(known, pose.t);
     const double dt = hi == 0 ? 0.0 : t - pose.t;
-    return {pose.position + dt * rates.velocity, turned(pose.orientation, rates.angular_velocity, dt), rates.velocity,
-            rates.angular_velocity};
+    return {pose.position + dt * rates.velocity, turned(pose.orientation, rates.angular_velocity, dt),
+            rates.velocity, rates.angular_velocity};
   }
   const Pose& a = poses_[hi - 1];
   const Pose& b = poses_[hi];

@@ -23,7 +23,8 @@ std::vector<std::string> problems(const std::string& name, const AlarmConfig& al
     check.finite("limit", *alarm.limit, "the unit of the quantity");
   if (alarm.warning)
   {
-    const bool ordered = !alarm.limit || (side == Side::ABOVE ? *alarm.warning <= *alarm.limit : *alarm.warning >= *alarm.limit);
+    const bool ordered =
+        !alarm.limit || (side == Side::ABOVE ? *alarm.warning <= *alarm.limit : *alarm.warning >= *alarm.limit);
     check.require(std::isfinite(*alarm.warning) && ordered, "warning", *alarm.warning,
                   side == Side::ABOVE ? "<= limit" : ">= limit");
   }

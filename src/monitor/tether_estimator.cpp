@@ -27,12 +27,12 @@ core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 }  // namespace
 
 TetherEstimator::TetherEstimator(const Config& config)
-  : config_(checked(config))
-  , model_(config.tether, config.elements, config.environment)
-  , stepper_(model_.nodes(), config.solver)
-  , statics_(model_.nodes())
-  , alarms_(config)
-  , rejected_at_(-std::numeric_limits<double>::infinity())
+  : config_(checked(config)),
+    model_(config.tether, config.elements, config.environment),
+    stepper_(model_.nodes(), config.solver),
+    statics_(model_.nodes()),
+    alarms_(config),
+    rejected_at_(-std::numeric_limits<double>::infinity())
 {
   estimate_.stations = core::StationField(config.elements);
 }
@@ -120,7 +120,8 @@ const TetherEstimate& TetherEstimator::tick(double t)
 bool TetherEstimator::settle(double t, const EndTargets& ends)
 {
   origin_ = {ends.vessel.position.x(), ends.vessel.position.y(), 0.0};
-  const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_, ends.vessel.velocity};
+  const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_,
+                                ends.vessel.velocity};
   core::NodeField shape;
   last_solve_ = statics_.solve(model_, steady, shape);
   settled_ = last_solve_.converged();
@@ -189,7 +190,8 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
     position += origin_;
   estimate_.has_stations = true;
   summarise(config_, estimate_);
-  if (!std::isfinite(estimate_.max_tension) || !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
+  if (!std::isfinite(estimate_.max_tension) ||
+      !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
     return refuse(state_.time, Reason::NOT_CONVERGED);
   estimate_.reason = degradation(ends);
   estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;

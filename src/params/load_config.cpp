@@ -79,7 +79,8 @@ core::StepperOptions loadSolver(Reader in)
 
 void loadAlarm(Reader in, monitor::AlarmConfig& alarm)
 {
-  const auto optional = [&](const char* key, std::optional<double>& value) {
+  const auto optional = [&](const char* key, std::optional<double>& value)
+  {
     if (in.has(key))
       value = in.optionalNumber(key);
   };

@@ -34,7 +34,9 @@ ParamError::ParamError(const std::string& where, const std::vector<std::string>&
 {
 }
 
-Reader::Reader(const Value& tree) : Reader(&tree, "", std::make_shared<std::vector<std::string>>()) {}
+Reader::Reader(const Value& tree) : Reader(&tree, "", std::make_shared<std::vector<std::string>>())
+{
+}
 
 Reader::Reader(const Value* level, std::string path, std::shared_ptr<std::vector<std::string>> faults)
   : level_(level), path_(std::move(path)), faults_(std::move(faults))

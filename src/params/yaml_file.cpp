@@ -38,7 +38,8 @@ Value convert(const YAML::Node& node)
       {
         const std::string name = entry.first.as<std::string>();
         if (!map.emplace(name, convert(entry.second)).second)
-          throw std::runtime_error("line " + std::to_string(entry.first.Mark().line + 1) + ": key '" + name + "' stands twice");
+          throw std::runtime_error("line " + std::to_string(entry.first.Mark().line + 1) + ": key '" + name +
+                                   "' stands twice");
       }
       return Value(std::move(map));
     }

@@ -81,7 +81,8 @@ CsvTable readCsv(const std::string& path)
     }
     if (fields.size() != table.columns.size())
       fail(path, number,
-           std::to_string(fields.size()) + " fields where the header names " + std::to_string(table.columns.size()));
+           std::to_string(fields.size()) + " fields where the header names " +
+               std::to_string(table.columns.size()));
     std::vector<double> row(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
       row[i] = parseField(table, number, i, fields[i]);

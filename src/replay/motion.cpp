@@ -38,7 +38,8 @@ class Columns
       return false;
     for (const std::string& suffix : suffixes)
       if (!present(suffix))
-        throw std::runtime_error(table_.path + ": column " + prefix + suffix + " is missing beside its companions");
+        throw std::runtime_error(table_.path + ": column " + prefix + suffix +
+                                 " is missing beside its companions");
     return true;
   }
 
@@ -140,7 +141,8 @@ monitor::BodyState Motion::at(const BodyMotion& body, double t) const
   if (!body.orientation.empty())
   {
     const Eigen::Quaterniond& from = body.orientation[i];
-    const Eigen::AngleAxisd turn(Eigen::Quaterniond::Identity().slerp(1.0, body.orientation[i + 1] * from.conjugate()));
+    const Eigen::AngleAxisd turn(
+        Eigen::Quaterniond::Identity().slerp(1.0, body.orientation[i + 1] * from.conjugate()));
     state.orientation = from.slerp(share(i, t), body.orientation[i + 1]);
     const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
     state.angular_velocity = turn.axis() * (angle / (t_[i + 1] - t_[i]));

@@ -92,7 +92,10 @@ void EndsFile::write(const TetherEstimate& e, const core::Vector3& vehicle)
   csv_.number(vehicle.x()).number(vehicle.y()).number(vehicle.z()).endRow();
 }
 
-ShapeFile::ShapeFile(const std::string& folder) : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius") {}
+ShapeFile::ShapeFile(const std::string& folder)
+  : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius")
+{
+}
 
 void ShapeFile::write(const TetherEstimate& e)
 {
@@ -101,12 +104,19 @@ void ShapeFile::write(const TetherEstimate& e)
   const core::StationField& at = e.stations;
   for (std::size_t i = 0; i < at.s.size(); ++i)
   {
-    csv_.number(e.time).number(at.s[i]).number(at.position[i].x()).number(at.position[i].y()).number(at.position[i].z());
+    csv_.number(e.time)
+        .number(at.s[i])
+        .number(at.position[i].x())
+        .number(at.position[i].y())
+        .number(at.position[i].z());
     csv_.number(at.tension[i]).number(at.strain[i]).number(at.bend_radius[i]).endRow();
   }
 }
 
-AlarmsFile::AlarmsFile(const std::string& folder) : csv_(folder + "/alarms.csv", "t,name,state,severity,value,limit,s") {}
+AlarmsFile::AlarmsFile(const std::string& folder)
+  : csv_(folder + "/alarms.csv", "t,name,state,severity,value,limit,s")
+{
+}
 
 void AlarmsFile::write(double t, const monitor::AlarmSet& set)
 {
@@ -117,7 +127,10 @@ void AlarmsFile::write(double t, const monitor::AlarmSet& set)
     if (alarm.state() == last_[i])
       continue;
     last_[i] = alarm.state();
-    csv_.number(t).text(alarm.definition().name).text(describe(alarm.state())).text(describe(alarm.definition().severity));
+    csv_.number(t)
+        .text(alarm.definition().name)
+        .text(describe(alarm.state()))
+        .text(describe(alarm.definition().severity));
     csv_.number(alarm.value()).number(alarm.definition().limit).number(alarm.s()).endRow();
   }
 }

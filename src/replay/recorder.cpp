@@ -73,7 +73,8 @@ void Recorder::write(const monitor::TetherEstimator& estimator)
   if (shape_ && e.has_stations && e.time >= next_shape_ - 1e-9)
   {
     shape_->write(e);
-    next_shape_ = std::max(std::isfinite(next_shape_) ? next_shape_ : e.time, e.time - 1.0 / shape_rate_) + 1.0 / shape_rate_;
+    next_shape_ = std::max(std::isfinite(next_shape_) ? next_shape_ : e.time, e.time - 1.0 / shape_rate_) +
+                  1.0 / shape_rate_;
   }
 }
 

@@ -28,7 +28,8 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
 {
   const std::vector<double> times = outputTimes(motion, options.rate);
   const double step = estimator.config().solver.step;
-  const auto inputs = [&](double t) {
+  const auto inputs = [&](double t)
+  {
     if (motion.hasCurrent())
       estimator.setCurrent(core::CurrentProfile(motion.current(t)));
     if (motion.hasPayout())

@@ -56,9 +56,9 @@ bool addBody(const rosbag::MessageInstance& instance, const std::string& topic, 
   const auto message = instance.instantiate<Message>();
   if (!message)
     return false;
-  recording.inputs.push_back({message->header.stamp, is_pose, body, topic, [message, body](MeasurementIntake& intake) {
-                                return intake.take(body, *message, message->header.stamp);
-                              }});
+  recording.inputs.push_back({message->header.stamp, is_pose, body, topic,
+                              [message, body](MeasurementIntake& intake)
+                              { return intake.take(body, *message, message->header.stamp); }});
   return true;
 }
 
@@ -69,7 +69,8 @@ bool addOther(const rosbag::MessageInstance& instance, const std::string& topic,
   if (!message)
     return false;
   recording.inputs.push_back({message->header.stamp, false, BodyName::VESSEL, topic,
-                              [message](MeasurementIntake& intake) { return intake.take(*message, message->header.stamp); }});
+                              [message](MeasurementIntake& intake)
+                              { return intake.take(*message, message->header.stamp); }});
   return true;
 }
 
@@ -162,7 +163,8 @@ void readBag(const std::string& path, const std::string& ns, Recording& recordin
   {
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
-  const auto hasPose = [&](BodyName body) {
+  const auto hasPose = [&](BodyName body)
+  {
     return std::any_of(recording.inputs.begin(), recording.inputs.end(),
                        [body](const Input& input) { return input.is_pose && input.body == body; });
   };
@@ -180,7 +182,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   Recording recording;
   readBag(path, ns, recording);
   const std::vector<Input>& inputs = recording.inputs;
-  const auto stamped = std::find_if(inputs.begin(), inputs.end(), [](const Input& i) { return !i.stamp.isZero(); });
+  const auto stamped =
+      std::find_if(inputs.begin(), inputs.end(), [](const Input& i) { return !i.stamp.isZero(); });
   if (stamped == inputs.end())
     throw std::runtime_error("the bag " + path + " has no message of ours with a stamp");
   const TimeBase base(stamped->stamp);
@@ -188,7 +191,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   intake.setTimeBase(base);
 
   std::size_t next = 0;
-  const auto takeNext = [&] {
+  const auto takeNext = [&]
+  {
     const Input& input = inputs[next++];
     const std::string why = input.take(intake);
     if (why.empty())
@@ -200,10 +204,12 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   // Start when both bodies are known.
   while (next < inputs.size() && !(estimator.vessel().hasPose() && estimator.vehicle().hasPose()))
     takeNext();
-  const auto warnings = [&] {
+  const auto warnings = [&]
+  {
     std::vector<std::string> texts;
     for (const auto& [topic, refusal] : recording.refusals)
-      texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic + " refused, last: " + refusal.last_reason);
+      texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
+                      " refused, last: " + refusal.last_reason);
     return texts;
   };
   if (!estimator.vessel().hasPose() || !estimator.vehicle().hasPose())
@@ -221,7 +227,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   for (long i = 0; i < ticks; ++i)
   {
     const double t = begin + i / rate;
-    const auto wanted = [&](double stamp) {
+    const auto wanted = [&](double stamp)
+    {
       const bool covered = estimator.vessel().covers(t) && estimator.vehicle().covers(t);
       return stamp <= t || (!covered && stamp <= t + estimator.config().pose_timeout);
     };

@@ -7,7 +7,8 @@
 namespace tether_monitor
 {
 static_assert(static_cast<int>(monitor::Status::INVALID) == TetherState::STATUS_INVALID, "status codes differ");
-static_assert(static_cast<int>(monitor::Reason::CLOCK_JUMP) == TetherState::REASON_CLOCK_JUMP, "reason codes differ");
+static_assert(static_cast<int>(monitor::Reason::CLOCK_JUMP) == TetherState::REASON_CLOCK_JUMP,
+              "reason codes differ");
 static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
               "alarm state codes differ");
 static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
@@ -99,7 +100,8 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
   geometry_msgs::WrenchStamped message;
   message.header = header;
   message.wrench.force = vectorMessage(estimate.has_stations ? force : core::Vector3::Constant(NONE));
-  message.wrench.torque = vectorMessage(estimate.has_stations ? core::Vector3::Zero() : core::Vector3::Constant(NONE));
+  message.wrench.torque =
+      vectorMessage(estimate.has_stations ? core::Vector3::Zero() : core::Vector3::Constant(NONE));
   return message;
 }
 

@@ -12,7 +12,8 @@ std::string advice(monitor::Reason reason)
     case Reason::NONE:
       return "";
     case Reason::NO_INPUT:
-      return "No pose yet from vessel or vehicle: check that vessel/pose (or odom) and vehicle/pose (or odom) are published "
+      return "No pose yet from vessel or vehicle: check that vessel/pose (or odom) and vehicle/pose (or odom) are "
+             "published "
              "and remapped to this node.";
     case Reason::SETTLING:
       return "The steady state to start from is being found; this takes one cycle.";
@@ -25,9 +26,11 @@ std::string advice(monitor::Reason reason)
     case Reason::REJECTED_INPUT:
       return "A message was refused; the topic and the reason stand below.";
     case Reason::NOT_CONVERGED:
-      return "The solver found no solution: compare the distance of the ends with tether.length; positions may have jumped.";
+      return "The solver found no solution: compare the distance of the ends with tether.length; positions may "
+             "have jumped.";
     case Reason::OUT_OF_RANGE:
-      return "Tension above the breaking load or strain above 10 %: the deployed length, the positions or both are wrong, "
+      return "Tension above the breaking load or strain above 10 %: the deployed length, the positions or both "
+             "are wrong, "
              "or the tether is parting.";
     case Reason::MESH_COARSE:
       return "A bend is tighter than the elements resolve: tension near it is rough. Raise tether.elements.";

@@ -81,9 +81,11 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   const double L = config.tether.length;
   Marker m = blank(header, "status", 0, Marker::TEXT_VIEW_FACING);
   m.scale.z = TEXT_HEIGHT * L;
-  const core::Vector3 at = e.has_stations ? core::Vector3(0.5 * (e.stations.position.front() + e.stations.position.back()))
-                                          : core::Vector3::Zero();
-  const double top = e.has_stations ? std::max(e.stations.position.front().z(), e.stations.position.back().z()) : 0.0;
+  const core::Vector3 at = e.has_stations
+                               ? core::Vector3(0.5 * (e.stations.position.front() + e.stations.position.back()))
+                               : core::Vector3::Zero();
+  const double top =
+      e.has_stations ? std::max(e.stations.position.front().z(), e.stations.position.back().z()) : 0.0;
   m.pose.position = pointMessage(core::Vector3(at.x(), at.y(), top + 0.15 * L));
   char text[160];
   if (e.has_stations)
@@ -92,7 +94,8 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
     if (e.max_tension > 0.0)
       std::snprintf(tension, sizeof(tension), "largest tension %.3g N, %.0f %% of working load", e.max_tension,
                     100.0 * e.working_utilisation);
-    std::snprintf(text, sizeof(text), "%s%s%s   %s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : " ",
+    std::snprintf(text, sizeof(text), "%s%s%s   %s", describe(e.status),
+                  e.reason == monitor::Reason::NONE ? "" : " ",
                   e.reason == monitor::Reason::NONE ? "" : describe(e.reason), tension);
   }
   else

@@ -76,7 +76,8 @@ std::string MeasurementIntake::take(BodyName body, const geometry_msgs::PoseStam
   return refused(why, now);
 }
 
-std::string MeasurementIntake::take(BodyName body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
+std::string MeasurementIntake::take(BodyName body, const geometry_msgs::TwistStamped& message,
+                                    const ros::Time& now)
 {
   std::string why = stampProblem(message.header, now);
   Eigen::Isometry3d to_world = Eigen::Isometry3d::Identity();

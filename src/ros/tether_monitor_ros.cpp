@@ -22,12 +22,12 @@ constexpr int OUTPUT_QUEUE = 10;
 }  // namespace
 
 TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
-  : nh_(nh)
-  , private_nh_(private_nh)
-  , estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace()))
-  , listener_(transforms_)
-  , intake_(estimator_, transforms_)
-  , updater_(nh, private_nh, private_nh.getNamespace())
+  : nh_(nh),
+    private_nh_(private_nh),
+    estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
+    listener_(transforms_),
+    intake_(estimator_, transforms_),
+    updater_(nh, private_nh, private_nh.getNamespace())
 {
   const monitor::Config& config = estimator_.config();
   state_pub_ = private_nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
@@ -40,11 +40,11 @@ TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHan
   acknowledge_server_ = private_nh_.advertiseService("acknowledge", &TetherMonitorRos::acknowledge, this);
 
   updater_.setHardwareID("tether");
-  updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnose(estimator_, facts_, status);
-  });
+  updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
+               { diagnose(estimator_, facts_, status); });
 
-  for (const auto& [name, body] : {std::make_pair("vessel", BodyName::VESSEL), std::make_pair("vehicle", BodyName::VEHICLE)})
+  for (const auto& [name, body] :
+       {std::make_pair("vessel", BodyName::VESSEL), std::make_pair("vehicle", BodyName::VEHICLE)})
   {
     subscribeBody<geometry_msgs::PoseStamped>(std::string(name) + "/pose", body);
     subscribeBody<geometry_msgs::TwistStamped>(std::string(name) + "/velocity", body);
@@ -64,22 +64,20 @@ template <typename Message>
 void TetherMonitorRos::subscribeBody(const std::string& topic, BodyName body)
 {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, topic, body](const boost::shared_ptr<const Message>& message) {
-        receive(topic, [&](const ros::Time& now) { return intake_.take(body, *message, now); });
-      };
-  subscribers_.push_back(
-      nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+      [this, topic, body](const boost::shared_ptr<const Message>& message)
+  { receive(topic, [&](const ros::Time& now) { return intake_.take(body, *message, now); }); };
+  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
+                                                ros::TransportHints().tcpNoDelay()));
 }
 
 template <typename Message>
 void TetherMonitorRos::subscribe(const std::string& topic)
 {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, topic](const boost::shared_ptr<const Message>& message) {
-        receive(topic, [&](const ros::Time& now) { return intake_.take(*message, now); });
-      };
-  subscribers_.push_back(
-      nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+      [this, topic](const boost::shared_ptr<const Message>& message)
+  { receive(topic, [&](const ros::Time& now) { return intake_.take(*message, now); }); };
+  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
+                                                ros::TransportHints().tcpNoDelay()));
 }
 
 void TetherMonitorRos::receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take)

@@ -27,7 +27,8 @@ void showProgress(double share)
   if (percent == shown)
     return;
   shown = percent;
-  std::fprintf(stderr, "\r[%-50.*s] %3d %%%s", 50, std::string(percent / 2, '#').c_str(), percent, share >= 1.0 ? "\n" : "");
+  std::fprintf(stderr, "\r[%-50.*s] %3d %%%s", 50, std::string(percent / 2, '#').c_str(), percent,
+               share >= 1.0 ? "\n" : "");
 }
 
 void replay(const Arguments& arguments)
@@ -69,7 +70,8 @@ int main(int argc, char** argv)
   auto* motion = app.add_option("--motion", arguments.motion, "CSV file with the motion of both bodies");
   bag->excludes(motion);
   app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
-  app.add_option("--rate", arguments.rate, "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")
+  app.add_option("--rate", arguments.rate,
+                 "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")
       ->check(CLI::PositiveNumber);
   app.add_option("--shape-rate", arguments.shape_rate, "shapes in shape.csv per second, 0 for none")
       ->check(CLI::NonNegativeNumber)

@@ -17,8 +17,8 @@ Vector3 parseVector(const std::string& name, const std::string& text)
   Vector3 v;
   std::istringstream in(text);
   char comma1 = 0, comma2 = 0;
-  if (!(in >> v.x() >> comma1 >> v.y() >> comma2 >> v.z()) || comma1 != ',' || comma2 != ',' || !(in >> std::ws).eof() ||
-      !v.allFinite())
+  if (!(in >> v.x() >> comma1 >> v.y() >> comma2 >> v.z()) || comma1 != ',' || comma2 != ',' ||
+      !(in >> std::ws).eof() || !v.allFinite())
     throw std::runtime_error(name + " = '" + text + "' is not three numbers like 0,0,-5");
   return v;
 }
@@ -38,15 +38,18 @@ int findSteadyState(const Arguments& arguments)
   const monitor::Config config = params::loadConfig(params::readYamlFile(arguments.config), arguments.config);
   const Vector3 velocity = parseVector("--vessel-velocity", arguments.vessel_velocity);
   const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position) + config.vessel.attachment;
-  const Vector3 vehicle = parseVector("--vehicle-position", arguments.vehicle_position) + config.vehicle.attachment;
+  const Vector3 vehicle =
+      parseVector("--vehicle-position", arguments.vehicle_position) + config.vehicle.attachment;
   replay::makeFolder(arguments.out);
 
   monitor::TetherEstimator estimator(config);
-  const monitor::TetherEstimate& estimate = estimator.begin(0.0, {{vessel, velocity}, {vehicle, velocity}, 0.0, 0.0});
+  const monitor::TetherEstimate& estimate =
+      estimator.begin(0.0, {{vessel, velocity}, {vehicle, velocity}, 0.0, 0.0});
   if (!estimate.has_stations)
   {
-    std::cerr << "tether_steady: no steady state: " << core::describe(estimator.lastSolve().status) << ", residual "
-              << estimator.lastSolve().residual << " N after " << estimator.lastSolve().iterations << " iterations\n";
+    std::cerr << "tether_steady: no steady state: " << core::describe(estimator.lastSolve().status)
+              << ", residual " << estimator.lastSolve().residual << " N after " << estimator.lastSolve().iterations
+              << " iterations\n";
     return NO_STEADY_STATE;
   }
   replay::EndsFile ends(arguments.out, true);
@@ -56,10 +59,12 @@ int findSteadyState(const Arguments& arguments)
   shape.write(estimate);
   shape.close();
   if (!arguments.quiet)
-    std::cout << describe(estimate.status) << " " << (estimate.reason == monitor::Reason::NONE ? "" : describe(estimate.reason))
+    std::cout << describe(estimate.status) << " "
+              << (estimate.reason == monitor::Reason::NONE ? "" : describe(estimate.reason))
               << "\ntension at the vessel end " << estimate.vessel_tension << " N, at the vehicle end "
-              << estimate.vehicle_tension << " N, largest " << estimate.max_tension << " N at s = " << estimate.max_tension_s
-              << " m\nwrote ends.csv and shape.csv to " << arguments.out << "\n";
+              << estimate.vehicle_tension << " N, largest " << estimate.max_tension
+              << " N at s = " << estimate.max_tension_s << " m\nwrote ends.csv and shape.csv to " << arguments.out
+              << "\n";
   return 0;
 }
 }  // namespace

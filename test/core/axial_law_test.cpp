@@ -38,7 +38,8 @@ TEST(AxialLaw, ForceAndModulusAreDerivativesAndContinuous)
     const AxialLaw at = axialLaw(LAW, eps);
     EXPECT_NEAR(at.force, (axialLaw(LAW, eps + h).energy - axialLaw(LAW, eps - h).energy) / (2.0 * h),
                 1e-6 * std::abs(at.force));
-    EXPECT_NEAR(at.modulus, (axialLaw(LAW, eps + h).force - axialLaw(LAW, eps - h).force) / (2.0 * h), 1e-6 * at.modulus);
+    EXPECT_NEAR(at.modulus, (axialLaw(LAW, eps + h).force - axialLaw(LAW, eps - h).force) / (2.0 * h),
+                1e-6 * at.modulus);
     EXPECT_GE(at.modulus, LAW.residual * LAW.stiffness);
   }
   EXPECT_NEAR(axialLaw(LAW, -1e-12).modulus, LAW.stiffness, 1.0);

@@ -19,9 +19,11 @@ struct IrvineCatenary
   {
     for (int i = 0; i < 200; ++i)
     {
-      const auto miss = [&](double H_, double V_) {
+      const auto miss = [&](double H_, double V_)
+      {
         const double x = H_ * L / EA + H_ / w * (std::asinh(V_ / H_) - std::asinh((V_ - w * L) / H_));
-        const double z = V_ * L / EA - 0.5 * w * L * L / EA + (std::hypot(H_, V_) - std::hypot(H_, V_ - w * L)) / w;
+        const double z =
+            V_ * L / EA - 0.5 * w * L * L / EA + (std::hypot(H_, V_) - std::hypot(H_, V_ - w * L)) / w;
         return Eigen::Vector2d(x - l, z - h);
       };
       const double d = 1e-6 * w * L;
@@ -72,7 +74,8 @@ TEST_P(ElasticCatenary, EndForcesWithin1e4With20Elements)
 }
 
 INSTANTIATE_TEST_SUITE_P(Spans, ElasticCatenary,
-                         ::testing::Values(Hang{330.0, 150.0}, Hang{390.0, 0.0}, Hang{250.0, 300.0}, Hang{380.0, 100.0}));
+                         ::testing::Values(Hang{330.0, 150.0}, Hang{390.0, 0.0}, Hang{250.0, 300.0},
+                                           Hang{380.0, 100.0}));
 
 TEST(ElasticCatenary, SoftCableStretches)
 {
@@ -82,7 +85,8 @@ TEST(ElasticCatenary, SoftCableStretches)
   const Environment sea;
   const double w = wetWeight(p, sea), W = 2000.0;
   const double stretch = (W * p.length + 0.5 * w * p.length * p.length) / p.axial_stiffness;
-  const EndForces forces = steadyForces(CableModel(p, 20, sea), {{0, 0, -5}, {0, 0, -405 - stretch}, Vector3::Zero()});
+  const EndForces forces =
+      steadyForces(CableModel(p, 20, sea), {{0, 0, -5}, {0, 0, -405 - stretch}, Vector3::Zero()});
   // Green-Lagrange: T = EA eps |r'| is stiffer than EA (|r'| - 1) by 1.5 times the strain, here 0.2 %.
   EXPECT_NEAR(forces.vehicle.z(), W, 0.01 * W);
   EXPECT_NEAR(-forces.vessel.z(), forces.vehicle.z() + w * p.length, 1e-6 * W);
@@ -96,9 +100,10 @@ TEST(ElasticCatenary, EndTensionConvergesWithOrder35InElementLength)
   double error[3];
   const int elements[3] = {5, 10, 20};
   for (int i = 0; i < 3; ++i)
-    error[i] = std::abs(
-        steadyForces(CableModel(p, elements[i], sea), {{0, 0, -5}, {-380, 0, -105}, Vector3::Zero()}).vessel.norm() -
-        exact.upper());
+    error[i] =
+        std::abs(steadyForces(CableModel(p, elements[i], sea), {{0, 0, -5}, {-380, 0, -105}, Vector3::Zero()})
+                     .vessel.norm() -
+                 exact.upper());
   RecordProperty("order_5_10", std::to_string(std::log2(error[0] / error[1])));
   RecordProperty("order_10_20", std::to_string(std::log2(error[1] / error[2])));
   EXPECT_GE(std::log2(error[0] / error[1]), 3.5) << error[0] << " " << error[1];

@@ -106,7 +106,8 @@ TEST(Frequency, OfATautString)
   const double lambda = stretched / p.length;
   const double tension = p.axial_stiffness * 0.5 * (lambda * lambda - 1.0) * lambda;
   const double exact = std::sqrt(tension / (p.mass_per_length / lambda)) / (2.0 * stretched);
-  const double f = measuredFrequency(model, released(model, shape), exact, [](const CableState& s) { return s.q[10].z(); });
+  const double f =
+      measuredFrequency(model, released(model, shape), exact, [](const CableState& s) { return s.q[10].z(); });
   EXPECT_NEAR(f, exact, 0.005 * exact);
 }
 
@@ -117,7 +118,8 @@ TEST(Frequency, OfAHangingChainHeldBelow)
   p.length = 50.0;
   const CableModel model(p, 20, air());
   const double m = p.mass_per_length, g = 9.81, T0 = 100.0, T1 = T0 + m * g * p.length;
-  const auto miss = [&](double omega) {
+  const auto miss = [&](double omega)
+  {
     const double b = 2.0 * omega / (g * std::sqrt(m));
     return std::cyl_bessel_j(0, b * std::sqrt(T0)) * std::cyl_neumann(0, b * std::sqrt(T1)) -
            std::cyl_bessel_j(0, b * std::sqrt(T1)) * std::cyl_neumann(0, b * std::sqrt(T0));
@@ -129,7 +131,8 @@ TEST(Frequency, OfAHangingChainHeldBelow)
     (miss(low) * miss(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
   const double omega = low, b = 2.0 * omega / (g * std::sqrt(m));
   const double ratio = std::cyl_bessel_j(0, b * std::sqrt(T0)) / std::cyl_neumann(0, b * std::sqrt(T0));
-  const auto mode = [&](double T) { return std::cyl_bessel_j(0, b * std::sqrt(T)) - ratio * std::cyl_neumann(0, b * std::sqrt(T)); };
+  const auto mode = [&](double T)
+  { return std::cyl_bessel_j(0, b * std::sqrt(T)) - ratio * std::cyl_neumann(0, b * std::sqrt(T)); };
 
   const double stretch = (T0 * p.length + 0.5 * m * g * p.length * p.length) / p.axial_stiffness;
   Statics statics(model.nodes());
@@ -142,14 +145,15 @@ TEST(Frequency, OfAHangingChainHeldBelow)
     shape[i][3] += -0.01 * m * g * (mode(T + d) - mode(T - d)) / (2.0 * d);
   }
   const double exact = omega / (2.0 * M_PI);
-  const double f = measuredFrequency(model, released(model, shape), exact, [](const CableState& s) { return s.q[12].x(); });
+  const double f =
+      measuredFrequency(model, released(model, shape), exact, [](const CableState& s) { return s.q[12].x(); });
   EXPECT_NEAR(f, exact, 0.005 * exact);
 }
 
 TEST(Convergence, IsOfSecondOrderInTheStep)
 {
-  // A taut tow that starts to heave smoothly; force at the vessel end at a set of common times. The stiffness is such that
-  // axial waves (0.95 s to and fro) are resolved by the steps: unresolved ones would hide the order.
+  // A taut tow that starts to heave smoothly; force at the vessel end at a set of common times. The stiffness is
+  // such that axial waves (0.95 s to and fro) are resolved by the steps: unresolved ones would hide the order.
   CableProperties p = towCable();
   p.axial_stiffness = 1.0e6;
   const CableModel model(p, 20, Environment());
@@ -157,14 +161,16 @@ TEST(Convergence, IsOfSecondOrderInTheStep)
   NodeField shape;
   ASSERT_TRUE(statics.solve(model, {{0, 0, -5}, {-330, 0, -155}, {0, 0, 0}}, shape).converged());
   constexpr double HEAVE = 0.2;  // [m]: the tether stays taut
-  const auto vessel = [](double t) {
+  const auto vessel = [](double t)
+  {
     const double s = t < 6.0 ? t / 6.0 - std::sin(2.0 * M_PI * t / 6.0) / (2.0 * M_PI) : 1.0;
     const double ds = t < 6.0 ? (1.0 - std::cos(2.0 * M_PI * t / 6.0)) / 6.0 : 0.0;
     const double w = 2.0 * M_PI / 6.0;
     return EndPoint{{0, 0, -5 + HEAVE * s * std::sin(w * t)},
                     {0, 0, HEAVE * (ds * std::sin(w * t) + s * w * std::cos(w * t))}};
   };
-  const auto history = [&](double h) {
+  const auto history = [&](double h)
+  {
     CableState state(0.0, shape, Vector3::Zero());
     StepperOptions options;
     options.step = h;
@@ -182,7 +188,8 @@ TEST(Convergence, IsOfSecondOrderInTheStep)
     return force;
   };
   const std::vector<double> fine = history(0.003125);
-  const auto error = [&](double h) {
+  const auto error = [&](double h)
+  {
     const std::vector<double> force = history(h);
     double sum = 0.0;
     for (std::size_t i = 0; i < fine.size(); ++i)

@@ -47,7 +47,9 @@ TEST_P(ElementProperty, ForceIsTheGradientOfTheEnergy)
     lo[i] -= h;
     const double difference = (potential(random.p, hi) - potential(random.p, lo)) / (2.0 * h);
     // Rounding of the energy (weight and strain) and the truncation of the difference, whichever is larger.
-    const double rounding = 2e-15 * (std::abs(potential(random.p, hi)) + random.p.axial.stiffness + random.p.bending_matrix(0, 0) * 4e4) / h;
+    const double rounding =
+        2e-15 *
+        (std::abs(potential(random.p, hi)) + random.p.axial.stiffness + random.p.bending_matrix(0, 0) * 4e4) / h;
     EXPECT_NEAR(force[i], difference, 2e-6 * force.norm() + rounding) << "coordinate " << i;
   }
 }
@@ -64,7 +66,8 @@ TEST_P(ElementProperty, TangentIsTheDerivativeOfTheResidual)
   elementResidual(random.p, sea, m, {1.0, 0.0, 0.0}, residual, mass);
   elementResidual(random.p, sea, m, {0.0, 1.0, 0.0}, residual, damping);
   elementResidual(random.p, sea, m, {0.0, 0.0, 1.0}, residual, stiffness);
-  const auto difference = [&](ElementCoords ElementMotion::*part, int i) {
+  const auto difference = [&](ElementCoords ElementMotion::*part, int i)
+  {
     const double h = part == &ElementMotion::a ? 1.0 : 1e-6;  // linear in the acceleration: no truncation
     ElementMotion hi = m, lo = m;
     (hi.*part)[i] += h;
@@ -95,7 +98,8 @@ TEST_P(ElementProperty, ResidualIsTheSameWithAndWithoutTangent)
 TEST_P(ElementProperty, RigidMotionChangesNoElasticEnergyAndTurnsTheForce)
 {
   RandomElement random(GetParam());
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(random.uniform(0.1, 3.0), random.vector(1.0).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(random.uniform(0.1, 3.0), random.vector(1.0).normalized()).toRotationMatrix();
   const ElementCoords q = random.motion.q;
   const ElementCoords turned = moved(q, R, random.vector(30.0));
   random.p.mass = 0.0;  // elastic part only
@@ -104,7 +108,8 @@ TEST_P(ElementProperty, RigidMotionChangesNoElasticEnergyAndTurnsTheForce)
   EXPECT_NEAR(after.axial, before.axial, 1e-8 * before.axial);
   EXPECT_NEAR(after.bending, before.bending, 1e-8 * (before.bending + 1e-6));
   const ElementCoords force = conservativeForce(random.p, q);
-  EXPECT_TRUE(matricesNear(conservativeForce(random.p, turned), moved(force, R, Vector3::Zero()), 1e-7 * force.norm()));
+  EXPECT_TRUE(
+      matricesNear(conservativeForce(random.p, turned), moved(force, R, Vector3::Zero()), 1e-7 * force.norm()));
 }
 
 TEST_P(ElementProperty, ElasticForcesHaveNoNetForceAndNoNetMoment)
@@ -116,7 +121,8 @@ TEST_P(ElementProperty, ElasticForcesHaveNoNetForceAndNoNetMoment)
   EXPECT_LT((f.segment<3>(0) + f.segment<3>(6)).norm(), 1e-10 * f.norm());
   Vector3 moment = Vector3::Zero();
   for (int i = 0; i < 4; ++i)
-    moment += (q.segment<3>(3 * i) - (i % 2 == 0 ? Vector3(q.segment<3>(0)) : Vector3::Zero())).cross(f.segment<3>(3 * i));
+    moment += (q.segment<3>(3 * i) - (i % 2 == 0 ? Vector3(q.segment<3>(0)) : Vector3::Zero()))
+                  .cross(f.segment<3>(3 * i));
   EXPECT_LT(moment.norm(), 1e-9 * f.norm() * random.p.length);
 }
 

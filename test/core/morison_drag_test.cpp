@@ -43,8 +43,10 @@ TEST_P(MorisonDragProperty, DerivativesMatchDifferences)
   for (int i = 0; i < 3; ++i)
   {
     const Vector3 d = h * Vector3::Unit(i);
-    const Vector3 by_u = (morisonDragForce(1.3, 0.4, u + d, slope) - morisonDragForce(1.3, 0.4, u - d, slope)) / (2 * h);
-    const Vector3 by_slope = (morisonDragForce(1.3, 0.4, u, slope + d) - morisonDragForce(1.3, 0.4, u, slope - d)) / (2 * h);
+    const Vector3 by_u =
+        (morisonDragForce(1.3, 0.4, u + d, slope) - morisonDragForce(1.3, 0.4, u - d, slope)) / (2 * h);
+    const Vector3 by_slope =
+        (morisonDragForce(1.3, 0.4, u, slope + d) - morisonDragForce(1.3, 0.4, u, slope - d)) / (2 * h);
     EXPECT_TRUE(matricesNear(at.d_velocity.col(i), by_u, 1e-7));
     EXPECT_TRUE(matricesNear(at.d_slope.col(i), by_slope, 1e-6 * (1.0 + at.d_slope.norm())));
   }

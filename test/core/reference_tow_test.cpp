@@ -1,5 +1,6 @@
 // Tow from rest with a heaving vessel, both ends held, against MoorDyn with 400 segments: golden/heave_tow_A.csv.
-// Vessel end (X, 0, -5 + s sin(2 pi t / 8)), vehicle end (-330 + X, 0, -155), X = 1.5 integral of s, s a smooth ramp of 20 s.
+// Vessel end (X, 0, -5 + s sin(2 pi t / 8)), vehicle end (-330 + X, 0, -155), X = 1.5 integral of s, s a smooth
+// ramp of 20 s.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,8 @@ double rampRate(double t)
 double way(double t)
 {
   const double u = std::min(t / RAMP, 1.0);
-  return SPEED * (RAMP * (0.5 * u * u + (std::cos(2.0 * M_PI * u) - 1.0) / (4.0 * M_PI * M_PI)) + std::max(0.0, t - RAMP));
+  return SPEED *
+         (RAMP * (0.5 * u * u + (std::cos(2.0 * M_PI * u) - 1.0) / (4.0 * M_PI * M_PI)) + std::max(0.0, t - RAMP));
 }
 EndPoint vesselEnd(double t)
 {
@@ -57,7 +59,8 @@ TEST(ReferenceTow, EndTensionsFollowMoorDynWith50Elements)
   for (const auto& row : reference.rows)
   {
     const double t0 = state.time, t = row[0];
-    const EndPaths ends{EndPath::between(t0, vesselEnd(t0), t, vesselEnd(t)), EndPath::between(t0, vehicleEnd(t0), t, vehicleEnd(t))};
+    const EndPaths ends{EndPath::between(t0, vesselEnd(t0), t, vesselEnd(t)),
+                        EndPath::between(t0, vehicleEnd(t0), t, vehicleEnd(t))};
     ASSERT_TRUE(stepper.advance(model, ends, t, state).converged()) << "t = " << t;
     if (t <= RAMP)
       continue;

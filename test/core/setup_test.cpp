@@ -91,7 +91,8 @@ TEST(EndPath, PassesThroughBothEndsWithTheirVelocities)
   EXPECT_LT((path.position(10.0) - from.position).norm() + (path.velocity(10.0) - from.velocity).norm(), 1e-12);
   EXPECT_LT((path.position(10.5) - to.position).norm() + (path.velocity(10.5) - to.velocity).norm(), 1e-12);
   const double h = 1e-5;
-  EXPECT_LT(((path.velocity(10.2 + h) - path.velocity(10.2 - h)) / (2 * h) - path.acceleration(10.2)).norm(), 1e-6);
+  EXPECT_LT(((path.velocity(10.2 + h) - path.velocity(10.2 - h)) / (2 * h) - path.acceleration(10.2)).norm(),
+            1e-6);
 }
 
 }  // namespace tether_monitor::core

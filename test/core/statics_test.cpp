@@ -72,15 +72,18 @@ TEST(SteadyState, StretchedChordHasTheTensionOfItsStrain)
 {
   const CableModel model(towCable(), 20, Environment());
   const double strain = 0.5 * (1.005 * 1.005 - 1.0);
-  EXPECT_NEAR(steadyForces(model, {{0, 0, -5}, {-402, 0, -5}, {0, 0, 0}}).vessel.norm(), 6.75e7 * strain * 1.005, 1e-3 * 3.4e5);
+  EXPECT_NEAR(steadyForces(model, {{0, 0, -5}, {-402, 0, -5}, {0, 0, 0}}).vessel.norm(), 6.75e7 * strain * 1.005,
+              1e-3 * 3.4e5);
 }
 
 TEST(SteadyState, MovingThroughStillWaterEqualsStandingInACurrent)
 {
   Environment current;
   current.current = CurrentProfile(Vector3(-1.0, 0.4, 0.0));
-  const EndForces moving = steadyForces(CableModel(towCable(), 20, Environment()), {{0, 0, -5}, {-350, 0, -90}, {1.0, -0.4, 0.0}});
-  const EndForces standing = steadyForces(CableModel(towCable(), 20, current), {{0, 0, -5}, {-350, 0, -90}, {0, 0, 0}});
+  const EndForces moving =
+      steadyForces(CableModel(towCable(), 20, Environment()), {{0, 0, -5}, {-350, 0, -90}, {1.0, -0.4, 0.0}});
+  const EndForces standing =
+      steadyForces(CableModel(towCable(), 20, current), {{0, 0, -5}, {-350, 0, -90}, {0, 0, 0}});
   EXPECT_TRUE(matricesNear(moving.vessel, standing.vessel, 1e-6 * standing.vessel.norm()));
 }
 

@@ -19,7 +19,8 @@ class StepperTest : public ::testing::Test
   EndPaths towards(const Vector3& vehicle, double t_end) const
   {
     return {EndPath::uniform(0.0, {{0, 0, -5}, Vector3::Zero()}),
-            EndPath::between(state.time, {state.q.back().head<3>(), Vector3::Zero()}, t_end, {vehicle, Vector3::Zero()})};
+            EndPath::between(state.time, {state.q.back().head<3>(), Vector3::Zero()}, t_end,
+                             {vehicle, Vector3::Zero()})};
   }
 
   CableModel model;

@@ -45,8 +45,10 @@ TEST(Estimator, FarAwayTheNumbersAreTheSame)
   far.run(3.0);
   ASSERT_EQ(far.estimator.estimate().status, Status::OK);
   EXPECT_NEAR(far.estimator.estimate().vessel_tension, near.estimator.estimate().vessel_tension, 1e-3);
-  EXPECT_NEAR((far.estimator.estimate().stations.position[7] - near.estimator.estimate().stations.position[7] - away).norm(),
-              0.0, 1e-4);
+  EXPECT_NEAR(
+      (far.estimator.estimate().stations.position[7] - near.estimator.estimate().stations.position[7] - away)
+          .norm(),
+      0.0, 1e-4);
 }
 
 TEST(Estimator, AStaleVehicleDegradesThenInvalidatesAndComesBack)
@@ -190,17 +192,20 @@ TEST_P(ConfigRefuses, AndNamesTheKey)
 }
 INSTANTIATE_TEST_SUITE_P(
     Bounds, ConfigRefuses,
-    ::testing::Values(Fault{"monitor.rate", [](Config& c) { c.rate = 0.0; }},
-                      Fault{"monitor.pose_timeout", [](Config& c) { c.pose_timeout = -1.0; }},
-                      Fault{"monitor.invalid_timeout", [](Config& c) { c.invalid_timeout = 0.5; }},
-                      Fault{"solver.step", [](Config& c) { c.solver.step = NAN; }},
-                      Fault{"vessel.attachment", [](Config& c) { c.vessel.attachment.x() = NAN; }},
-                      Fault{"vehicle.attachment", [](Config& c) { c.vehicle.attachment.x() = INFINITY; }},
-                      Fault{"world_frame", [](Config& c) { c.world_frame = ""; }},
-                      Fault{"monitor.alarms.over_tension.warning", [](Config& c) { c.alarms.over_tension.warning = 1.5; }},
-                      Fault{"monitor.alarms.breaking.limit", [](Config& c) { c.alarms.breaking.limit = NAN; }},
-                      Fault{"monitor.alarms.slack.on_delay", [](Config& c) { c.alarms.slack.timing.on_delay = -1.0; }},
-                      Fault{"monitor.alarms.stale_input.off_delay", [](Config& c) { c.alarms.stale_input.timing.off_delay = NAN; }},
-                      Fault{"monitor.alarms.bend_radius.deadband", [](Config& c) { c.alarms.bend_radius.timing.deadband = -1.0; }}));
+    ::testing::Values(
+        Fault{"monitor.rate", [](Config& c) { c.rate = 0.0; }},
+        Fault{"monitor.pose_timeout", [](Config& c) { c.pose_timeout = -1.0; }},
+        Fault{"monitor.invalid_timeout", [](Config& c) { c.invalid_timeout = 0.5; }},
+        Fault{"solver.step", [](Config& c) { c.solver.step = NAN; }},
+        Fault{"vessel.attachment", [](Config& c) { c.vessel.attachment.x() = NAN; }},
+        Fault{"vehicle.attachment", [](Config& c) { c.vehicle.attachment.x() = INFINITY; }},
+        Fault{"world_frame", [](Config& c) { c.world_frame = ""; }},
+        Fault{"monitor.alarms.over_tension.warning", [](Config& c) { c.alarms.over_tension.warning = 1.5; }},
+        Fault{"monitor.alarms.breaking.limit", [](Config& c) { c.alarms.breaking.limit = NAN; }},
+        Fault{"monitor.alarms.slack.on_delay", [](Config& c) { c.alarms.slack.timing.on_delay = -1.0; }},
+        Fault{"monitor.alarms.stale_input.off_delay",
+              [](Config& c) { c.alarms.stale_input.timing.off_delay = NAN; }},
+        Fault{"monitor.alarms.bend_radius.deadband",
+              [](Config& c) { c.alarms.bend_radius.timing.deadband = -1.0; }}));
 
 }  // namespace tether_monitor::monitor

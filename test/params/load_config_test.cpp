@@ -14,8 +14,8 @@ namespace
 {
 Value::Map tetherKeys()
 {
-  return {{"length", 400.0},        {"diameter", 0.03},       {"mass_per_length", 1.43}, {"axial_stiffness", 6.75e7},
-          {"drag_normal", 1.35},    {"drag_tangential", 0.04}, {"working_load", 2.0e4},   {"breaking_load", 6.0e4}};
+  return {{"length", 400.0},     {"diameter", 0.03},        {"mass_per_length", 1.43}, {"axial_stiffness", 6.75e7},
+          {"drag_normal", 1.35}, {"drag_tangential", 0.04}, {"working_load", 2.0e4},   {"breaking_load", 6.0e4}};
 }
 Value tree(const Value::Map& tether, Value::Map more = {})
 {
@@ -97,8 +97,9 @@ TEST(LoadConfig, WrongShapesAreNamed)
 {
   EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"solver", Value(3.0)}})),
             std::vector<std::string>{"solver = 3 is not a map of keys"});
-  EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vessel", Value(Value::Map{{"attachment", Value(Value::List{1.0, 2.0})}})}})),
-            std::vector<std::string>{"vessel.attachment = a list is not a list of three numbers"});
+  EXPECT_EQ(
+      faultsOf(tree(tetherKeys(), {{"vessel", Value(Value::Map{{"attachment", Value(Value::List{1.0, 2.0})}})}})),
+      std::vector<std::string>{"vessel.attachment = a list is not a list of three numbers"});
   Value::Map keys = tetherKeys();
   keys["elements"] = 2.7;
   EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = 2.7 is not a whole number"});

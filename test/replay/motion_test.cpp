@@ -48,9 +48,11 @@ TEST_P(MotionRefuses, AndSaysWhere)
 }
 INSTANTIATE_TEST_SUITE_P(
     Files, MotionRefuses,
-    ::testing::Values(BadMotion{"", "is empty"}, BadMotion{"# nothing\n", "is empty"}, BadMotion{HEADER + "\n", "no rows"},
+    ::testing::Values(BadMotion{"", "is empty"}, BadMotion{"# nothing\n", "is empty"},
+                      BadMotion{HEADER + "\n", "no rows"},
                       BadMotion{HEADER + "\n0,0,0,0,1,1\n", "line 2: 6 fields where the header names 7"},
-                      BadMotion{HEADER + "\n# c\n0,0,0,0,1,1,x\n", "line 3: column vehicle_z = 'x' is not a number"},
+                      BadMotion{HEADER + "\n# c\n0,0,0,0,1,1,x\n",
+                                "line 3: column vehicle_z = 'x' is not a number"},
                       BadMotion{HEADER + "\n0,0,0,0,1,1,nan\n", "line 2: column vehicle_z = 'nan' is not finite"},
                       BadMotion{HEADER + "\n0,0,0,0,1,1,\n", "line 2: column vehicle_z is empty"},
                       BadMotion{HEADER + "\n0,0,0,0,1,1,1\n0,0,0,0,1,1,1\n", "line 3: t does not increase"},
@@ -79,8 +81,9 @@ TEST(Motion, OneRowIsEnough)
 TEST(Motion, AttitudeTurnsEvenly)
 {
   const double c = std::sqrt(0.5);
-  const Motion m = motionOf(HEADER + ",vessel_qx,vessel_qy,vessel_qz,vessel_qw\n0,0,0,0,1,1,1,0,0,0,1\n1,0,0,0,1,1,1,0,0," +
-                            std::to_string(c) + "," + std::to_string(c) + "\n");
+  const Motion m =
+      motionOf(HEADER + ",vessel_qx,vessel_qy,vessel_qz,vessel_qw\n0,0,0,0,1,1,1,0,0,0,1\n1,0,0,0,1,1,1,0,0," +
+               std::to_string(c) + "," + std::to_string(c) + "\n");
   const core::EndPoint point = m.vessel(0.5).attachmentPoint({1, 0, 0});
   EXPECT_NEAR(point.position.y(), std::sin(M_PI / 4), 1e-6);
   EXPECT_NEAR(point.velocity.norm(), M_PI / 2, 1e-5);

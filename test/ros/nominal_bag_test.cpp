@@ -18,7 +18,8 @@ TEST(NominalBag, TheRunIsFollowedFromEndToEnd)
   geometry_msgs::PointStamped marker;
   std::vector<double> distances;
   int forces = 0, markers = 0;
-  const auto on_state = [&](const TetherState::ConstPtr& s) {
+  const auto on_state = [&](const TetherState::ConstPtr& s)
+  {
     states.push_back(*s);
     if (s->status == TetherState::STATUS_INVALID || marker.header.stamp.isZero())
       return;
@@ -33,15 +34,17 @@ TEST(NominalBag, TheRunIsFollowedFromEndToEnd)
   ros::Subscriber measured = nh.subscribe<geometry_msgs::PointStamped>(
       "/rov1/marker/measured", 1000, [&](const geometry_msgs::PointStamped::ConstPtr& m) { marker = *m; });
   ros::Subscriber force = nh.subscribe<geometry_msgs::WrenchStamped>(
-      node + "vehicle_end/force", 1000, [&](const geometry_msgs::WrenchStamped::ConstPtr& f) {
-        forces += std::isfinite(f->wrench.force.x) && f->header.frame_id == "map";
-      });
+      node + "vehicle_end/force", 1000,
+      [&](const geometry_msgs::WrenchStamped::ConstPtr& f)
+      { forces += std::isfinite(f->wrench.force.x) && f->header.frame_id == "map"; });
   ros::Subscriber picture = nh.subscribe<visualization_msgs::MarkerArray>(
-      node + "markers", 1000, [&](const visualization_msgs::MarkerArray::ConstPtr& m) { markers += !m->markers.empty(); });
+      node + "markers", 1000,
+      [&](const visualization_msgs::MarkerArray::ConstPtr& m) { markers += !m->markers.empty(); });
 
   const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(60.0);
   ros::WallRate rate(500.0);
-  while (ros::ok() && ros::WallTime::now() < limit && (states.empty() || states.back().header.stamp.toSec() < 27.5))
+  while (ros::ok() && ros::WallTime::now() < limit &&
+         (states.empty() || states.back().header.stamp.toSec() < 27.5))
   {
     ros::spinOnce();
     rate.sleep();

@@ -10,8 +10,8 @@ namespace tether_monitor::core
 using ShapeMatrix = Eigen::Matrix4d;
 
 /**
- * Integral of S_i'' S_j'' over an element: the bending force of an element is EI times this matrix, applied to its four
- * vectors.
+ * Integral of S_i'' S_j'' over an element: the bending force of an element is EI times this matrix, applied to its
+ * four vectors.
  *
  * Model: U = 1/2 EI integral |r''|^2 ds, (M6) of doc/model.md. |r''| is the curvature of the stretched line up to
  * terms of the order of the strain; the form is quadratic, so its tangent is constant and positive semidefinite.

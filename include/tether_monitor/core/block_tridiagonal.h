@@ -30,7 +30,8 @@ class BlockTridiagonal
   void holdRow(int node, int row);
 
   /**
-   * Solves A x = b by block elimination without pivoting between blocks, partial pivoting within. Destroys the matrix.
+   * Solves A x = b by block elimination without pivoting between blocks, partial pivoting within. Destroys the
+   * matrix.
    *
    * @param b  in: right-hand side, out: solution. Size nodes().
    * @return   false if a pivot block is singular or a number is not finite; b is then unusable.

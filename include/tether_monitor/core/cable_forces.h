@@ -12,8 +12,8 @@ struct EndForces
   Vector3 vehicle = Vector3::Zero();
 };
 
-/// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight, drag
-/// and inertia of the tether, and are far more accurate than EA eps there.
+/// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight,
+/// drag and inertia of the tether, and are far more accurate than EA eps there.
 EndForces endForces(const CableModel& model, const CableState& state);
 
 /// What is reported along the tether. Vectors have one entry a station, from the vessel end to the vehicle end.
@@ -28,8 +28,8 @@ struct StationField
   EndForces ends;
   Vector3 vessel_direction = Vector3::Zero();   ///< unit tangent at the vessel end, towards the vehicle end.
   Vector3 vehicle_direction = Vector3::Zero();  ///< unit tangent at the vehicle end, away from the vessel end.
-  double stretched_length = 0.0;  ///< integral of |r'| [m].
-  double largest_turn = 0.0;      ///< largest change of direction over one element [rad].
+  double stretched_length = 0.0;                ///< integral of |r'| [m].
+  double largest_turn = 0.0;                    ///< largest change of direction over one element [rad].
 
   StationField() = default;
   /// Room for the stations of a model with `elements` elements.

@@ -43,12 +43,14 @@ class CableModel
   /// Replaces the current profile while the model is in use. Allocates; not for the stepping path.
   void setCurrent(const CurrentProfile& current) { sea_.current = current; }
 
-  /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Fields of size nodes().
+  /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Fields of size
+  /// nodes().
   void assemble(const NodeField& q, const NodeField& v, const NodeField& a, NodeField& residual) const;
   /// As above, with the iteration matrix; see TangentWeights.
   void assemble(const NodeField& q, const NodeField& v, const NodeField& a, const TangentWeights& weights,
                 NodeField& residual, BlockTridiagonal& tangent) const;
-  /// Residual of element `i` alone: the forces that its two nodes receive from their other neighbours or from outside.
+  /// Residual of element `i` alone: the forces that its two nodes receive from their other neighbours or from
+  /// outside.
   ElementCoords elementResidualOf(int i, const NodeField& q, const NodeField& v, const NodeField& a) const;
 
   /// Energies of the whole tether [J]; see ElementEnergy.

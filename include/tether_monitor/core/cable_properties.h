@@ -7,9 +7,10 @@
 namespace tether_monitor::core
 {
 /**
- * Constants of a uniform tether, as a data sheet gives them. Members without a comment on their default must be set.
- * Drag forces per unstretched metre are 1/2 rho d Cn |un| un and 1/2 rho d Ct |ut| ut: both coefficients refer to
- * d * length. A tangential coefficient on the wetted surface pi d length (MoorDyn, OrcaFlex) is multiplied by pi first.
+ * Constants of a uniform tether, as a data sheet gives them. Members without a comment on their default must be
+ * set. Drag forces per unstretched metre are 1/2 rho d Cn |un| un and 1/2 rho d Ct |ut| ut: both coefficients
+ * refer to d * length. A tangential coefficient on the wetted surface pi d length (MoorDyn, OrcaFlex) is
+ * multiplied by pi first.
  */
 struct CableProperties
 {
@@ -17,14 +18,14 @@ struct CableProperties
   double diameter = 0.0;         ///< d [m], > 0.
   double mass_per_length = 0.0;  ///< m [kg/m], dry, in air, > 0.
   double axial_stiffness = 0.0;  ///< EA [N] per Green-Lagrange strain, > 0 (a catalogue's per engineering strain).
-  double bending_stiffness = 0.0;  ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
-  double axial_damping = 1.0e-3;   ///< tau [s], >= 0; default 1 ms.
-  double drag_normal = 0.0;        ///< Cn [-], >= 0.
-  double drag_tangential = 0.0;    ///< Ct [-], >= 0.
-  double added_mass_normal = 1.0;  ///< Can [-], times the displaced mass, >= 0; default 1.
-  double working_load = 0.0;       ///< SWL (WLL) [N], > 0 and <= breaking_load.
-  double breaking_load = 0.0;      ///< MBL [N], > 0.
-  std::optional<double> load_area;        ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
+  double bending_stiffness = 0.0;   ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
+  double axial_damping = 1.0e-3;    ///< tau [s], >= 0; default 1 ms.
+  double drag_normal = 0.0;         ///< Cn [-], >= 0.
+  double drag_tangential = 0.0;     ///< Ct [-], >= 0.
+  double added_mass_normal = 1.0;   ///< Can [-], times the displaced mass, >= 0; default 1.
+  double working_load = 0.0;        ///< SWL (WLL) [N], > 0 and <= breaking_load.
+  double breaking_load = 0.0;       ///< MBL [N], > 0.
+  std::optional<double> load_area;  ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
   std::optional<double> min_bend_radius;  ///< [m], > 0; default none.
 
   /// Cross-section that displaces water, pi d^2 / 4 [m^2].

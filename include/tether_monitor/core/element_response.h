@@ -31,7 +31,8 @@ struct ElementMotion
   ElementCoords a;
 };
 
-/// Weights of mass, damping and stiffness in the iteration matrix: J = mass dR/da + damping dR/dv + stiffness dR/dq.
+/// Weights of mass, damping and stiffness in the iteration matrix: J = mass dR/da + damping dR/dv + stiffness
+/// dR/dq.
 struct TangentWeights
 {
   double mass = 1.0;
@@ -72,6 +73,7 @@ struct ElementEnergy
 };
 
 /// Energies of an element with gravity g [m/s^2]; buoyancy and added mass are not counted.
-ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const ElementCoords& q, const ElementCoords& v);
+ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const ElementCoords& q,
+                            const ElementCoords& v);
 
 }  // namespace tether_monitor::core

@@ -13,9 +13,10 @@ struct ResidualSize
   double norm;       ///< root of the sum of squares, couples divided by the element length [N].
 };
 
-/// Takes the position rows of both end nodes out of a residual (their value is the reaction) and measures the rest.
-/// `residual` becomes the negative right-hand side for the free rows: held rows are set to zero.
-ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options, NodeField& residual);
+/// Takes the position rows of both end nodes out of a residual (their value is the reaction) and measures the
+/// rest. `residual` becomes the negative right-hand side for the free rows: held rows are set to zero.
+ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
+                      NodeField& residual);
 
 /// Makes the position rows of both end nodes identities.
 void holdEnds(BlockTridiagonal& tangent);

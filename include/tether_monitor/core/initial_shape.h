@@ -38,6 +38,7 @@ class Catenary
  * @param velocity         common velocity of both ends [m/s].
  * @return                 coordinates of every node.
  */
-NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity);
+NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+                       const Vector3& velocity);
 
 }  // namespace tether_monitor::core

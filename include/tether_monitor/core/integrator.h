@@ -11,9 +11,9 @@ namespace tether_monitor::core
 /**
  * One implicit time step of a tether whose two ends are held on given paths.
  *
- * Model: generalised-alpha in the form of Arnold & Brüls (2007), doi:10.1007/s11044-007-9084-0, (M12) of doc/model.md: the
- * equations of motion hold at the end of the step, so end forces are their residual there (M13), second-order accurate.
- * Newton's iteration with analytic tangent on the block-tridiagonal system.
+ * Model: generalised-alpha in the form of Arnold & Brüls (2007), doi:10.1007/s11044-007-9084-0, (M12) of
+ * doc/model.md: the equations of motion hold at the end of the step, so end forces are their residual there (M13),
+ * second-order accurate. Newton's iteration with analytic tangent on the block-tridiagonal system.
  */
 class GeneralizedAlpha
 {
@@ -23,7 +23,8 @@ class GeneralizedAlpha
    * @param spectral_radius   rho_inf [-], 0 <= rho_inf <= 1: numerical damping of unresolved motion; 1 is none.
    * @throws std::invalid_argument naming the argument.
    */
-  explicit GeneralizedAlpha(int nodes, double spectral_radius = 0.6, const NewtonOptions& options = NewtonOptions());
+  explicit GeneralizedAlpha(int nodes, double spectral_radius = 0.6,
+                            const NewtonOptions& options = NewtonOptions());
 
   /**
    * Steps `state` from state.time to state.time + h.
@@ -34,7 +35,8 @@ class GeneralizedAlpha
    */
   SolveReport step(const CableModel& model, const EndPaths& ends, double h, CableState& state);
 
-  /// Sets state.a and state.aux so that the equations of motion hold at state.time, for a motion that begins there.
+  /// Sets state.a and state.aux so that the equations of motion hold at state.time, for a motion that begins
+  /// there.
   SolveReport initialiseAcceleration(const CableModel& model, const EndPaths& ends, CableState& state);
 
   const NewtonOptions& options() const { return options_; }

@@ -5,11 +5,11 @@ namespace tether_monitor::core
 /// How a solver ended. Solvers report; they never throw.
 enum class SolveStatus
 {
-  CONVERGED,       ///< The residual is below its tolerance.
-  NOT_CONVERGED,   ///< The iterations ran out or the residual stopped falling.
-  SINGULAR,        ///< The iteration matrix could not be factorised, or a number was not finite.
-  BUDGET_SPENT,    ///< The bounded number of steps or iterations was used up before the end was reached.
-  FALSE_BRANCH     ///< An equilibrium was found that no tether takes: an element is folded.
+  CONVERGED,      ///< The residual is below its tolerance.
+  NOT_CONVERGED,  ///< The iterations ran out or the residual stopped falling.
+  SINGULAR,       ///< The iteration matrix could not be factorised, or a number was not finite.
+  BUDGET_SPENT,   ///< The bounded number of steps or iterations was used up before the end was reached.
+  FALSE_BRANCH    ///< An equilibrium was found that no tether takes: an element is folded.
 };
 
 /// Words for a SolveStatus.

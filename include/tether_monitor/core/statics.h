@@ -17,15 +17,17 @@ struct SteadyEnds
 /// Bounds of the search for a steady state.
 struct StaticsOptions
 {
-  int max_iterations = 1000;  ///< Newton iterations of one search, >= 1; a failed search is repeated by way of a stiffer tether.
+  int max_iterations =
+      1000;  ///< Newton iterations of one search, >= 1; a failed search is repeated by way of a stiffer tether.
   NewtonOptions newton{1e-8, 30};
 };
 
 /**
  * Steady shape of a tether between two held ends ("solution setting"), from any positions of the ends.
  *
- * Model: (M16) of doc/model.md. The overdamped motion D dq/dtau + R(q) = 0 with backward Euler steps that grow as the
- * residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's method on R = 0.
+ * Model: (M16) of doc/model.md. The overdamped motion D dq/dtau + R(q) = 0 with backward Euler steps that grow as
+ * the residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's
+ * method on R = 0.
  */
 class Statics
 {

@@ -7,10 +7,11 @@ namespace tether_monitor::core
 /// Bounds of the automatic step control.
 struct StepperOptions
 {
-  double step = 0.05;           ///< [s], > 0: largest step.
-  double spectral_radius = 0.6; ///< rho_inf [-], 0..1.
-  int max_halvings = 10;        ///< >= 0: smallest step is step / 2^max_halvings.
-  int max_iterations = 400;     ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
+  double step = 0.05;            ///< [s], > 0: largest step.
+  double spectral_radius = 0.6;  ///< rho_inf [-], 0..1.
+  int max_halvings = 10;         ///< >= 0: smallest step is step / 2^max_halvings.
+  int max_iterations =
+      400;  ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
   NewtonOptions newton;
 };
 
@@ -18,10 +19,11 @@ struct StepperOptions
 std::vector<std::string> problems(const StepperOptions& options);
 
 /**
- * Advances a tether over any stretch of time with steps that halve when Newton's iteration fails and grow again after.
+ * Advances a tether over any stretch of time with steps that halve when Newton's iteration fails and grow again
+ * after.
  *
- * A failed step leaves no trace: the state before it is kept. The cost of a call is bounded by StepperOptions. Allocates
- * only in the constructor.
+ * A failed step leaves no trace: the state before it is kept. The cost of a call is bounded by StepperOptions.
+ * Allocates only in the constructor.
  */
 class Stepper
 {

@@ -5,11 +5,12 @@
 
 namespace tether_monitor::monitor
 {
-/// Fills the numbers of `estimate` that follow from its stations: extremes, utilisations, angles. Allocates nothing.
+/// Fills the numbers of `estimate` that follow from its stations: extremes, utilisations, angles. Allocates
+/// nothing.
 void summarise(const Config& config, TetherEstimate& estimate);
 
-/// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load or 10 % strain, MESH_COARSE where the
-/// tether turns by more than 1.2 rad within one element, else NONE.
+/// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load or 10 % strain, MESH_COARSE
+/// where the tether turns by more than 1.2 rad within one element, else NONE.
 Reason modelRange(const TetherEstimate& estimate);
 
 /// Sets INVALID with a reason and takes every number of the model out; ages and time stay.

@@ -11,10 +11,10 @@ namespace tether_monitor::monitor
 /// Pose and rates of a body's reference point, world frame.
 struct BodyState
 {
-  core::Vector3 position = core::Vector3::Zero();                      ///< [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();     ///< body to world, unit.
-  core::Vector3 velocity = core::Vector3::Zero();                      ///< [m/s]
-  core::Vector3 angular_velocity = core::Vector3::Zero();              ///< [rad/s], world axes.
+  core::Vector3 position = core::Vector3::Zero();                   ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit.
+  core::Vector3 velocity = core::Vector3::Zero();                   ///< [m/s]
+  core::Vector3 angular_velocity = core::Vector3::Zero();           ///< [rad/s], world axes.
 
   /// Position and velocity of a point fixed in the body, `lever` from the reference point in body axes [m].
   core::EndPoint attachmentPoint(const core::Vector3& lever) const;
@@ -24,9 +24,9 @@ struct BodyState
 enum class Rejection
 {
   NONE,
-  NOT_FINITE,       ///< a number is NaN or infinite.
-  BAD_QUATERNION,   ///< the orientation is not of unit length (within 1 %).
-  OUT_OF_ORDER      ///< not later than the last one of its kind.
+  NOT_FINITE,      ///< a number is NaN or infinite.
+  BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
+  OUT_OF_ORDER     ///< not later than the last one of its kind.
 };
 
 /// Words for a Rejection.

@@ -19,16 +19,17 @@ struct AlarmConfig
   AlarmTiming timing;
 };
 
-/// Every alarm of the monitor. Limits of over_tension and breaking are fractions of working_load and breaking_load.
+/// Every alarm of the monitor. Limits of over_tension and breaking are fractions of working_load and
+/// breaking_load.
 struct AlarmsConfig
 {
   AlarmConfig over_tension{0.8, 1.0, {0.2, 2.0, 0.05, true}};
   AlarmConfig breaking{std::nullopt, 0.9, {0.0, 2.0, 0.05, true}};
-  AlarmConfig slack{std::nullopt, std::nullopt, {1.0, 2.0, 0.0, false}};       ///< least tension [N], bad below.
-  AlarmConfig bend_radius{std::nullopt, std::nullopt, {0.5, 2.0, 0.0, false}}; ///< [m], bad below; limit defaults to
-                                                                               ///< tether.min_bend_radius.
-  AlarmConfig stale_input{std::nullopt, std::nullopt, {0.0, 1.0, 0.0, false}}; ///< age [s]; limit defaults to
-                                                                               ///< pose_timeout.
+  AlarmConfig slack{std::nullopt, std::nullopt, {1.0, 2.0, 0.0, false}};        ///< least tension [N], bad below.
+  AlarmConfig bend_radius{std::nullopt, std::nullopt, {0.5, 2.0, 0.0, false}};  ///< [m], bad below; limit defaults
+                                                                                ///< to tether.min_bend_radius.
+  AlarmConfig stale_input{std::nullopt, std::nullopt, {0.0, 1.0, 0.0, false}};  ///< age [s]; limit defaults to
+                                                                                ///< pose_timeout.
 };
 
 /// How one end of the tether is fastened to its body.

@@ -31,9 +31,9 @@ struct StepCount
 /**
  * The monitor of one tether: measurements in, estimate and alarms out. The only class that a shell needs.
  *
- * Live use: feed the tracks, call tick() at the monitor's rate. Use with known motion: begin() once, then advance().
- * No clock, no log, no global state; copy an estimator to save it. Nothing here throws after construction; after the
- * first estimate advance() allocates nothing.
+ * Live use: feed the tracks, call tick() at the monitor's rate. Use with known motion: begin() once, then
+ * advance(). No clock, no log, no global state; copy an estimator to save it. Nothing here throws after
+ * construction; after the first estimate advance() allocates nothing.
  */
 class TetherEstimator
 {
@@ -56,7 +56,8 @@ class TetherEstimator
   /// Estimate at time t [s] from the tracks, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
 
-  /// Starts at time t [s] from the steady state between the ends that the tracks give; both tracks must have a pose.
+  /// Starts at time t [s] from the steady state between the ends that the tracks give; both tracks must have a
+  /// pose.
   const TetherEstimate& beginFromTracks(double t) { return begin(t, targetsAt(t)); }
   /// Starts from the steady state between known ends, both moving at the vessel end's velocity, at time t [s].
   const TetherEstimate& begin(double t, const EndTargets& ends);
@@ -96,7 +97,7 @@ class TetherEstimator
   BodyTrack vessel_, vehicle_;
   AlarmSet alarms_;
 
-  core::CableState state_;  // relative to origin_
+  core::CableState state_;                        // relative to origin_
   core::Vector3 origin_ = core::Vector3::Zero();  // vessel end when it settled, on the surface
   bool settled_ = false;
   bool announced_settling_ = false;

@@ -15,12 +15,12 @@ class Value
   using Map = std::map<std::string, Value>;
 
   Value() = default;
-  Value(bool x) : data_(x) {}                       // NOLINT: a value is what it holds
-  Value(double x) : data_(x) {}                     // NOLINT
-  Value(long x) : data_(x) {}                       // NOLINT
-  Value(std::string x) : data_(std::move(x)) {}     // NOLINT
-  Value(List x) : data_(std::move(x)) {}            // NOLINT
-  Value(Map x) : data_(std::move(x)) {}             // NOLINT
+  Value(bool x) : data_(x) {}                    // NOLINT: a value is what it holds
+  Value(double x) : data_(x) {}                  // NOLINT
+  Value(long x) : data_(x) {}                    // NOLINT
+  Value(std::string x) : data_(std::move(x)) {}  // NOLINT
+  Value(List x) : data_(std::move(x)) {}         // NOLINT
+  Value(Map x) : data_(std::move(x)) {}          // NOLINT
 
   template <typename T>
   const T* get() const

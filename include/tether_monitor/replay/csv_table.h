@@ -19,10 +19,11 @@ struct CsvTable
 };
 
 /**
- * Reads a CSV file: the first line that is neither empty nor a comment (#) names the columns, the others hold numbers.
+ * Reads a CSV file: the first line that is neither empty nor a comment (#) names the columns, the others hold
+ * numbers.
  *
- * @throws std::runtime_error naming file and line: unreadable or empty file, duplicate column, wrong number of fields, a
- *         field that is empty, not a number, or not finite.
+ * @throws std::runtime_error naming file and line: unreadable or empty file, duplicate column, wrong number of
+ * fields, a field that is empty, not a number, or not finite.
  */
 CsvTable readCsv(const std::string& path);
 

@@ -13,8 +13,8 @@ namespace tether_monitor::replay
 struct BodyMotion
 {
   std::vector<core::Vector3> position;
-  std::vector<core::Vector3> velocity;           ///< measured, or of the spline through the positions.
-  std::vector<Eigen::Quaterniond> orientation;   ///< empty: level throughout.
+  std::vector<core::Vector3> velocity;          ///< measured, or of the spline through the positions.
+  std::vector<Eigen::Quaterniond> orientation;  ///< empty: level throughout.
 };
 
 /// A recorded or written motion of vessel and vehicle, with the inputs that go with it.
@@ -23,8 +23,8 @@ class Motion
  public:
   /**
    * @param table  columns as INTERFACES names them: t, vessel_x..z, vehicle_x..z, and the optional ones.
-   * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not increase, no row,
-   *         a quaternion that is not of unit length.
+   * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not
+   * increase, no row, a quaternion that is not of unit length.
    */
   explicit Motion(const CsvTable& table);
 

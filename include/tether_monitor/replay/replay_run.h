@@ -12,15 +12,15 @@ namespace tether_monitor::replay
 /// Options of a replay.
 struct ReplayOptions
 {
-  double rate = 0.0;                       ///< [Hz] of ends.csv; 0: the times of the motion's rows.
-  std::function<void(double)> progress;    ///< called with the share done [0, 1]; may be empty.
+  double rate = 0.0;                     ///< [Hz] of ends.csv; 0: the times of the motion's rows.
+  std::function<void(double)> progress;  ///< called with the share done [0, 1]; may be empty.
 };
 
 /**
  * Runs an estimator over a known motion, from the steady state of its first row.
  *
- * Between two outputs the motion is followed in equal parts of at most the solver's step, so a coarse output does not
- * coarsen the motion.
+ * Between two outputs the motion is followed in equal parts of at most the solver's step, so a coarse output does
+ * not coarsen the motion.
  */
 void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
                   Recorder& recorder);

@@ -7,8 +7,8 @@
 namespace tether_monitor::replay
 {
 /**
- * Velocities at the knots of the twice continuously differentiable cubic through the points ("not a knot" at both ends;
- * a parabola through three points, a straight line through two).
+ * Velocities at the knots of the twice continuously differentiable cubic through the points ("not a knot" at both
+ * ends; a parabola through three points, a straight line through two).
  *
  * With these velocities the cubic Hermite curve between neighbouring points is that spline.
  *

@@ -9,8 +9,8 @@
 namespace tether_monitor
 {
 /**
- * Runs an estimator over the inputs in a bag, as the node would see them, by header stamps. Each tick knows the measurements
- * up to its time and the next one after it, so motion is interpolated.
+ * Runs an estimator over the inputs in a bag, as the node would see them, by header stamps. Each tick knows the
+ * measurements up to its time and the next one after it, so motion is interpolated.
  *
  * @param path       a bag; transforms on /tf and /tf_static are used.
  * @param ns         namespace of the topics, "" for vessel/pose at the root.

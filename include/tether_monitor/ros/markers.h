@@ -13,8 +13,9 @@ namespace tether_monitor
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
 
 /**
- * The picture of an estimate: the tether coloured by utilisation ("tether"), the end forces ("force"), a line of text for
- * status and alarms ("status"). Namespaces and ids never change; while INVALID tether and forces are deleted.
+ * The picture of an estimate: the tether coloured by utilisation ("tether"), the end forces ("force"), a line of
+ * text for status and alarms ("status"). Namespaces and ids never change; while INVALID tether and forces are
+ * deleted.
  */
 visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::Config& config,
                                         const monitor::TetherEstimate& estimate, const monitor::AlarmSet& alarms);

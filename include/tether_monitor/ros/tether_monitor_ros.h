@@ -19,8 +19,9 @@ namespace tether_monitor
 /**
  * The ROS side of the monitor of one tether: subscribes, ticks, publishes.
  *
- * **Subscribes** (relative): vessel/pose, vehicle/pose, vessel/velocity, vehicle/velocity, vessel/odom, vehicle/odom, payout,
- * current. **Publishes** (private): state, vessel_end/force, vehicle_end/force, over_tension, alarms, markers; /diagnostics.
+ * **Subscribes** (relative): vessel/pose, vehicle/pose, vessel/velocity, vehicle/velocity, vessel/odom,
+ * vehicle/odom, payout, current. **Publishes** (private): state, vessel_end/force, vehicle_end/force,
+ * over_tension, alarms, markers; /diagnostics.
  * **Services** (private): reset, acknowledge.
  */
 class TetherMonitorRos

@@ -22,17 +22,22 @@ class Scenario
 {
  public:
   Scenario()
-    : clock_(nh_.advertise<rosgraph_msgs::Clock>("/clock", 10))
-    , vessel_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vessel/pose", 10))
-    , vehicle_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vehicle/pose", 10))
+    : clock_(nh_.advertise<rosgraph_msgs::Clock>("/clock", 10)),
+      vessel_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vessel/pose", 10)),
+      vehicle_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vehicle/pose", 10))
   {
     const std::string node = "/rov1/tether_monitor/";
     subscribers_ = {nh_.subscribe(node + "state", 100, &Scenario::onState, this),
                     nh_.subscribe(node + "over_tension", 100, &Scenario::onOverTension, this),
                     nh_.subscribe(node + "alarms", 100, &Scenario::onAlarms, this),
                     nh_.subscribe("/diagnostics", 100, &Scenario::onDiagnostics, this)};
-    waitFor([this] { return vessel_.getNumSubscribers() > 0 && vehicle_.getNumSubscribers() > 0 &&
-                            subscribers_[0].getNumPublishers() > 0 && clock_.getNumSubscribers() > 1; }, 20.0);
+    waitFor(
+        [this]
+        {
+          return vessel_.getNumSubscribers() > 0 && vehicle_.getNumSubscribers() > 0 &&
+                 subscribers_[0].getNumPublishers() > 0 && clock_.getNumSubscribers() > 1;
+        },
+        20.0);
     setClock();
     ros::WallDuration(0.1).sleep();
   }

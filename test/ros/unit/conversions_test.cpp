@@ -55,7 +55,8 @@ TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
 TEST(StateMessage, CarriesTheEstimate)
 {
   monitor::TetherEstimator estimator(config());
-  const monitor::TetherEstimate& e = estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.1, 0.2});
+  const monitor::TetherEstimate& e =
+      estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.1, 0.2});
   ASSERT_TRUE(e.has_stations);
   TetherState message;
   toMessage(e, 2.0e-5, message);
@@ -69,7 +70,8 @@ TEST(StateMessage, CarriesTheEstimate)
 TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
 {
   monitor::TetherEstimator estimator(config());
-  const auto names = [](const visualization_msgs::MarkerArray& array) {
+  const auto names = [](const visualization_msgs::MarkerArray& array)
+  {
     std::vector<std::pair<std::string, int>> ids;
     for (const auto& m : array.markers)
       ids.emplace_back(m.ns, m.id);
