@@ -65,7 +65,7 @@ class Watch:
 
     def on_over_tension(self, message):
         if message.data and not self.over_tension and self.screenshot:
-            subprocess.Popen("sleep 0.05; import -window root '%s'" % self.screenshot, shell=True)
+            subprocess.Popen("sleep 0.12; import -window root '%s'" % self.screenshot, shell=True)
             self.screenshot = ""
         self.over_tension = message.data
 
