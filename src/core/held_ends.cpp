@@ -20,13 +20,19 @@ double roundOff(const CableModel& model, const NodeField& q)
 }  // namespace
 
 ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
-                      NodeField& residual)
+                      const HeldEnds& held, NodeField& residual)
 {
-  const double reaction = std::max(residual.front().head<3>().norm(), residual.back().head<3>().norm());
-  residual.front().head<3>().setZero();
-  residual.back().head<3>().setZero();
-  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q),
-                    0.0};
+  double reaction = 0.0;
+  const auto hold = [&](NodeCoords& row)
+  {
+    reaction = std::max(reaction, row.head<3>().norm());
+    row.head<3>().setZero();
+  };
+  if (held.vessel)
+    hold(residual.front());
+  if (held.vehicle)
+    hold(residual.back());
+  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q)};
   double sum = reaction;
   for (int i = 0; i < model.nodes(); ++i)
   {
@@ -34,20 +40,20 @@ ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonO
     size.largest = std::max({size.largest, residual[i].head<3>().lpNorm<Eigen::Infinity>(),
                              residual[i].tail<3>().lpNorm<Eigen::Infinity>() / l});
     sum += residual[i].sum();
-    size.norm += residual[i].head<3>().squaredNorm() + residual[i].tail<3>().squaredNorm() / (l * l);
   }
-  size.norm = std::sqrt(size.norm);
   if (!std::isfinite(sum))
     size.largest = std::numeric_limits<double>::quiet_NaN();
   return size;
 }
 
-void holdEnds(BlockTridiagonal& tangent)
+void holdEnds(const HeldEnds& held, BlockTridiagonal& tangent)
 {
   for (int row = 0; row < 3; ++row)
   {
-    tangent.holdRow(0, row);
-    tangent.holdRow(tangent.nodes() - 1, row);
+    if (held.vessel)
+      tangent.holdRow(0, row);
+    if (held.vehicle)
+      tangent.holdRow(tangent.nodes() - 1, row);
   }
 }
 

@@ -35,7 +35,19 @@ Vector3 anyNormal(const Vector3& direction)
   return (other - other.dot(direction) * direction).normalized();
 }
 
-// Weight and drag per metre on a straight tether along `chord`, averaged over the depth of the chord.
+// Weight and drag per metre on a tether element at place r with direction t.
+Vector3 loadAt(const ElementParameters& e, const Environment& sea, const Vector3& r, const Vector3& t,
+               const Vector3& velocity)
+{
+  const double share = r.z() < 0.0 ? 1.0 : 0.0;
+  const double half_rho_d = 0.5 * sea.water_density * e.diameter * share;
+  Vector3 load = -morisonDragForce(half_rho_d * e.drag_normal, half_rho_d * e.drag_tangential,
+                                   velocity - sea.waterVelocity(r), t);
+  load.z() -= sea.gravity * (e.mass - sea.water_density * e.area * share);
+  return load;
+}
+
+// The same on a straight tether along the chord, averaged over its depth.
 Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity)
 {
   const Environment& sea = model.environment();
@@ -44,12 +56,7 @@ Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& v
   for (int i = 0; i < SAMPLES; ++i)
   {
     const Vector3 r = vessel + (i + 0.5) / SAMPLES * (vehicle - vessel);
-    const ElementParameters& e = model.element(i * model.elements() / SAMPLES);
-    const double share = r.z() < 0.0 ? 1.0 : 0.0;
-    const double half_rho_d = 0.5 * sea.water_density * e.diameter * share;
-    load.z() -= sea.gravity * (e.mass - sea.water_density * e.area * share);
-    load -= morisonDragForce(half_rho_d * e.drag_normal, half_rho_d * e.drag_tangential,
-                             velocity - sea.waterVelocity(r), vehicle - vessel);
+    load += loadAt(model.element(i * model.elements() / SAMPLES), sea, r, vehicle - vessel, velocity);
   }
   return load / SAMPLES;
 }
@@ -111,6 +118,43 @@ NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vec
   {
     const double s = model.arcLength(i);
     shape[i] << curve.position(s) + s / L * gap, stretch * curve.tangent(s);
+  }
+  return shape;
+}
+
+NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vector3& velocity,
+                       const EndBody& body)
+{
+  constexpr int PASSES = 4;
+  constexpr int PARTS = 10;  // of an element
+  const int N = model.elements();
+  NodeField shape(model.nodes());
+  Vector3 body_position = vessel - model.length() * Vector3::UnitZ();
+  const auto direction = [&](const Vector3& tension)
+  {
+    return tension.norm() > 1e-9 * model.forceScale() ? Vector3(tension.normalized()) : Vector3(-Vector3::UnitZ());
+  };
+  for (int pass = 0; pass < PASSES; ++pass)
+  {
+    Vector3 n = steadyForce(body, model.environment(), body_position, velocity);
+    Vector3 r = body_position;
+    for (int i = N; i >= 0; --i)
+    {
+      const ElementParameters& e = model.element(std::max(i - 1, 0));
+      shape[i] << r, (1.0 + n.norm() / e.axial.stiffness) * direction(n);
+      for (int part = 0; part < PARTS && i > 0; ++part)
+      {
+        const double ds = e.length / PARTS;
+        const Vector3 middle = n + 0.5 * ds * loadAt(e, model.environment(), r, direction(n), velocity);
+        const Vector3 t = direction(middle);
+        n += ds * loadAt(e, model.environment(), r - 0.5 * ds * t, t, velocity);
+        r -= ds * (1.0 + middle.norm() / e.axial.stiffness) * t;
+      }
+    }
+    const Vector3 shift = vessel - shape[0].head<3>();
+    for (NodeCoords& node : shape)
+      node.head<3>() += shift;
+    body_position += shift;
   }
   return shape;
 }

@@ -59,7 +59,7 @@ SolveReport GeneralizedAlpha::step(const CableModel& model, const EndPaths& ends
   for (int k = 0;; ++k)
   {
     model.assemble(trial_.q, trial_.v, trial_.a, weights, residual_, tangent_);
-    const ResidualSize size = holdEnds(model, trial_.q, options_, residual_);
+    const ResidualSize size = holdEnds(model, trial_.q, options_, HeldEnds(), residual_);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
@@ -72,7 +72,7 @@ SolveReport GeneralizedAlpha::step(const CableModel& model, const EndPaths& ends
     if (k == options_.max_iterations || diverging)
       return report;
     previous = size.largest;
-    holdEnds(tangent_);
+    holdEnds(HeldEnds(), tangent_);
     ++report.iterations;
     if (!std::isfinite(size.largest) || !tangent_.solve(residual_))
     {
@@ -98,8 +98,8 @@ SolveReport GeneralizedAlpha::initialiseAcceleration(const CableModel& model, co
     a.setZero();
   placeEnds(ends);
   model.assemble(trial_.q, trial_.v, trial_.a, TangentWeights{1.0, 0.0, 0.0}, residual_, tangent_);
-  report.residual = holdEnds(model, trial_.q, options_, residual_).largest;
-  holdEnds(tangent_);
+  report.residual = holdEnds(model, trial_.q, options_, HeldEnds(), residual_).largest;
+  holdEnds(HeldEnds(), tangent_);
   report.iterations = 1;
   if (!std::isfinite(report.residual) || !tangent_.solve(residual_))
   {

@@ -53,6 +53,17 @@ bool isFolded(const CableModel& model, const NodeField& q)
         return true;
   return false;
 }
+
+HeldEnds heldEnds(const SteadyEnds& ends)
+{
+  return {true, !ends.body};
+}
+
+NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
+{
+  return ends.body ? hangingShape(model, ends.vessel, ends.velocity, *ends.body)
+                   : initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+}
 }  // namespace
 
 Statics::Statics(int nodes, const StaticsOptions& options)
@@ -62,12 +73,12 @@ Statics::Statics(int nodes, const StaticsOptions& options)
 
 SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
-  NodeField found = initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+  NodeField found = startingShape(model, ends);
   SolveReport report = solveFrom(model, ends, found);
   if (!report.converged())
   {
     // A stiffer tether has no bights that the mesh cannot carry; its steady state is a better start.
-    found = initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+    found = startingShape(model, ends);
     const SolveReport stiff = solveFrom(model.stiffened(HELPER_STIFFNESS), ends, found);
     const SolveReport again = solveFrom(model, ends, found);
     const SolveReport first = report;
@@ -86,7 +97,8 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   SolveReport total;
   q_ = shape;
   q_.front().head<3>() = ends.vessel;
-  q_.back().head<3>() = ends.vehicle;
+  if (!ends.body)
+    q_.back().head<3>() = ends.vehicle;
   for (NodeCoords& rate : v_)
   {
     rate.setZero();
@@ -101,7 +113,7 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   {
     start_ = q_;
     const double before = tau;
-    const SolveReport report = flow(model, tau, iterations_left);
+    const SolveReport report = flow(model, ends, tau, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;
     total.status = report.status;
@@ -129,7 +141,27 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   return total;
 }
 
-SolveReport Statics::flow(const CableModel& model, double& tau, int& iterations_left)
+ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, double scale,
+                               const NewtonOptions& newton)
+{
+  model.assemble(q_, v_, a_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
+  addMetric(model, scale, tangent_);
+  addMetricForce(model, scale, q_, start_, residual_);
+  if (ends.body)
+  {
+    const Vector3 at = q_.back().head<3>();
+    const double h = 1e-4 * (1.0 + at.norm());
+    residual_.back().head<3>() -= steadyForce(*ends.body, model.environment(), at, ends.velocity);
+    const Vector3 up = h * Vector3::UnitZ();
+    tangent_.diagonal(model.elements()).block<3, 1>(0, 2) -=
+        (steadyForce(*ends.body, model.environment(), at + up, ends.velocity) -
+         steadyForce(*ends.body, model.environment(), at - up, ends.velocity)) /
+        (2.0 * h);
+  }
+  return holdEnds(model, q_, newton, heldEnds(ends), residual_);
+}
+
+SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, double tau, int& iterations_left)
 {
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
@@ -142,10 +174,7 @@ SolveReport Statics::flow(const CableModel& model, double& tau, int& iterations_
   double previous = 0.0;
   for (int k = 0;; ++k)
   {
-    model.assemble(q_, v_, a_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
-    addMetric(model, scale, tangent_);
-    addMetricForce(model, scale, q_, start_, residual_);
-    const ResidualSize size = holdEnds(model, q_, newton, residual_);
+    const ResidualSize size = assemble(model, ends, scale, newton);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
@@ -156,7 +185,7 @@ SolveReport Statics::flow(const CableModel& model, double& tau, int& iterations_
     if (k == newton.max_iterations || iterations_left <= 0 || diverging)
       return report;
     previous = size.largest;
-    holdEnds(tangent_);
+    holdEnds(heldEnds(ends), tangent_);
     ++report.iterations;
     --iterations_left;
     if (!std::isfinite(size.largest) || !tangent_.solve(residual_))

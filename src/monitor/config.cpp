@@ -38,6 +38,8 @@ std::vector<std::string> problems(const Config& c)
   add(core::problems(c.tether), all);
   add(core::elementCountProblems(c.elements), all);
   add(core::problems(c.solver), all);
+  if (c.vehicle_mode == VehicleMode::FREE)
+    add(core::problems(c.vehicle_body), all);
 
   core::BoundsCheck check("monitor.");
   check.within("rate", c.rate, 0.1, 1000.0, "Hz");

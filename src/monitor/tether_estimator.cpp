@@ -16,7 +16,10 @@ constexpr double LENGTH_TOLERANCE = 1.0e-3;  // relative change of the deployed 
 
 const Config& checked(const Config& config)
 {
-  core::throwIfAny("configuration of the monitor", problems(config));
+  std::vector<std::string> faults = problems(config);
+  if (config.vehicle_mode == VehicleMode::FREE)
+    faults.push_back("vehicle.mode = free (must be tracked here; a free vehicle is for tether_steady so far)");
+  core::throwIfAny("configuration of the monitor", faults);
   return config;
 }
 

@@ -13,9 +13,7 @@ core::CurrentProfile loadCurrent(Reader& in)
   std::vector<core::CurrentProfile::Sample> samples;
   for (Reader& entry : in.children("current"))
   {
-    samples.push_back({entry.number("depth"), entry.vector("velocity", core::Vector3::Zero())});
-    if (!entry.has("velocity"))
-      in.report({"environment.current[" + std::to_string(samples.size() - 1) + "].velocity is missing"});
+    samples.push_back({entry.number("depth"), entry.vector("velocity")});
     entry.finish();
   }
   std::vector<std::string> faults = core::problems(samples);
@@ -63,6 +61,28 @@ monitor::BodyConfig loadBody(Reader in)
   body.frame = in.text("frame", body.frame);
   in.finish();
   return body;
+}
+
+void loadVehicle(Reader in, monitor::Config& config)
+{
+  config.vehicle.attachment = in.vector("attachment", config.vehicle.attachment);
+  config.vehicle.frame = in.text("frame", config.vehicle.frame);
+  const std::string mode = in.text("mode", "tracked");
+  if (mode == "free")
+  {
+    config.vehicle_mode = monitor::VehicleMode::FREE;
+    core::EndBody& body = config.vehicle_body;
+    body.mass = in.number("mass");
+    body.volume = in.number("volume");
+    body.inertia = in.vector("inertia");
+    body.drag_area = in.vector("drag_area");
+    body.force = in.vector("force", body.force);
+  }
+  else if (mode != "tracked")
+  {
+    in.report({"vehicle.mode = '" + mode + "' (must be tracked or free)"});
+  }
+  in.finish();
 }
 
 core::StepperOptions loadSolver(Reader in)
@@ -117,7 +137,7 @@ monitor::Config loadConfig(const Value& tree, const std::string& where)
   config.environment = loadEnvironment(in.child("environment"));
   config.tether = loadTether(in.child("tether"), config.elements);
   config.vessel = loadBody(in.child("vessel"));
-  config.vehicle = loadBody(in.child("vehicle"));
+  loadVehicle(in.child("vehicle"), config);
   config.solver = loadSolver(in.child("solver"));
   loadMonitor(in.child("monitor"), config);
   in.ignore("diagnostic_period");  // of diagnostic_updater

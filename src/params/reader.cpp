@@ -147,6 +147,12 @@ std::string Reader::text(const char* key, const std::string& fallback)
   return fallback;
 }
 
+core::Vector3 Reader::vector(const char* key)
+{
+  const core::Vector3 none = core::Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  return require(key) ? vector(key, none) : none;
+}
+
 core::Vector3 Reader::vector(const char* key, const core::Vector3& fallback)
 {
   const Value* value = find(key);

@@ -5,6 +5,7 @@
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/yaml_file.h"
 #include "tether_monitor/replay/output_files.h"
+#include "tether_monitor/replay/steady_state.h"
 
 namespace
 {
@@ -36,20 +37,22 @@ int findSteadyState(const Arguments& arguments)
 {
   using namespace tether_monitor;
   const monitor::Config config = params::loadConfig(params::readYamlFile(arguments.config), arguments.config);
+  const bool is_free = config.vehicle_mode == monitor::VehicleMode::FREE;
+  if (is_free && !arguments.vehicle_position.empty())
+    throw std::runtime_error("--vehicle-position cannot be given for a free vehicle: it finds its own");
+  if (!is_free && arguments.vehicle_position.empty())
+    throw std::runtime_error("--vehicle-position is required, vehicle.mode being tracked");
   const Vector3 velocity = parseVector("--vessel-velocity", arguments.vessel_velocity);
-  const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position) + config.vessel.attachment;
-  const Vector3 vehicle =
-      parseVector("--vehicle-position", arguments.vehicle_position) + config.vehicle.attachment;
+  const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position);
+  const Vector3 vehicle = is_free ? vessel : parseVector("--vehicle-position", arguments.vehicle_position);
   replay::makeFolder(arguments.out);
 
-  monitor::TetherEstimator estimator(config);
-  const monitor::TetherEstimate& estimate =
-      estimator.begin(0.0, {{vessel, velocity}, {vehicle, velocity}, 0.0, 0.0});
+  const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity);
+  const monitor::TetherEstimate& estimate = steady.estimate;
   if (!estimate.has_stations)
   {
-    std::cerr << "tether_steady: no steady state: " << core::describe(estimator.lastSolve().status)
-              << ", residual " << estimator.lastSolve().residual << " N after " << estimator.lastSolve().iterations
-              << " iterations\n";
+    std::cerr << "tether_steady: no steady state: " << core::describe(steady.report.status) << ", residual "
+              << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";
     return NO_STEADY_STATE;
   }
   replay::EndsFile ends(arguments.out, true);
@@ -71,11 +74,11 @@ int findSteadyState(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Finds the steady shape of a tether whose ends are held and move together.");
+  CLI::App app("Finds the steady state of a tether whose ends move together: both held, or with a free vehicle.");
   Arguments arguments;
   app.add_option("--config", arguments.config, "YAML file with the parameter tree of the node")->required();
   app.add_option("--vessel-position", arguments.vessel_position, "X,Y,Z of the vessel [m]")->capture_default_str();
-  app.add_option("--vehicle-position", arguments.vehicle_position, "X,Y,Z of the vehicle [m]")->required();
+  app.add_option("--vehicle-position", arguments.vehicle_position, "X,Y,Z of the vehicle [m], unless it is free");
   app.add_option("--vessel-velocity", arguments.vessel_velocity, "VX,VY,VZ of both [m/s]")->capture_default_str();
   app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
   app.add_flag("--quiet", arguments.quiet, "print nothing but errors");

@@ -43,7 +43,7 @@ TEST_P(SteadyState, IsFoundIsAnEquilibriumAndStaysWhenElementsAreDoubled)
     force[k] = -residual.front().head<3>();
     NewtonOptions tolerance;
     tolerance.relative_tolerance = 1e-7;
-    const ResidualSize size = holdEnds(model, state.q, tolerance, residual);
+    const ResidualSize size = holdEnds(model, state.q, tolerance, HeldEnds(), residual);
     EXPECT_LE(size.largest, size.tolerance);
     EXPECT_TRUE(matricesNear(shape.front().head<3>(), ends.vessel, 1e-9));
     EXPECT_TRUE(matricesNear(shape.back().head<3>(), ends.vehicle, 1e-9));

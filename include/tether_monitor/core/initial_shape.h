@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/end_body.h"
 
 namespace tether_monitor::core
 {
@@ -40,5 +41,16 @@ class Catenary
  */
 NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
                        const Vector3& velocity);
+
+/**
+ * A starting curve for a body that hangs from the tether: the tension vector is integrated from the body to the
+ * vessel, dn/ds = -load, and the curve follows it. Loads that change with depth are taken at the depths of the
+ * pass before.
+ *
+ * @param vessel    position of the vessel end [m].
+ * @param velocity  common velocity of both ends [m/s].
+ */
+NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vector3& velocity,
+                       const EndBody& body);
 
 }  // namespace tether_monitor::core

@@ -1,17 +1,24 @@
 #pragma once
 
+#include <optional>
+
 #include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/end_body.h"
+#include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/newton_options.h"
 #include "tether_monitor/core/solve_report.h"
 
 namespace tether_monitor::core
 {
-/// Ends between which a steady state is wanted: both move with the same constant velocity.
+/// Ends between which a steady state is wanted: both move with the same constant velocity; the vehicle end is held
+/// or free.
 struct SteadyEnds
 {
   Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
   Vector3 vehicle = Vector3::Zero();   ///< position of the vehicle end [m].
   Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
+  std::optional<EndBody> body =
+      std::nullopt;  ///< hangs at the vehicle end, which then is free and finds its own position.
 };
 
 /// Bounds of the search for a steady state.
@@ -23,7 +30,8 @@ struct StaticsOptions
 };
 
 /**
- * Steady shape of a tether between two held ends ("solution setting"), from any positions of the ends.
+ * Steady shape of a tether from a held vessel end to a held vehicle end or to a body that hangs there ("solution
+ * setting"), from any positions of the ends.
  *
  * Model: (M16) of doc/model.md. The overdamped motion D dq/dtau + R(q) = 0 with backward Euler steps that grow as
  * the residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's
@@ -45,7 +53,9 @@ class Statics
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
  private:
-  SolveReport flow(const CableModel& model, double& tau, int& iterations_left);
+  SolveReport flow(const CableModel& model, const SteadyEnds& ends, double tau, int& iterations_left);
+  ResidualSize assemble(const CableModel& model, const SteadyEnds& ends, double scale,
+                        const NewtonOptions& newton);
 
   StaticsOptions options_;
   NodeField q_, start_, v_, a_, residual_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tether_monitor/core/cable_properties.h"
+#include "tether_monitor/core/end_body.h"
 #include "tether_monitor/core/environment.h"
 #include "tether_monitor/core/stepper.h"
 #include "tether_monitor/monitor/alarm.h"
@@ -39,6 +40,13 @@ struct BodyConfig
   std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
 };
 
+/// What drives the vehicle end.
+enum class VehicleMode
+{
+  TRACKED,  ///< held on the measured motion.
+  FREE      ///< a simulated body.
+};
+
 /// The whole parameter tree, checked and with its defaults in place.
 struct Config
 {
@@ -48,6 +56,9 @@ struct Config
   int elements = 50;
   BodyConfig vessel;
   BodyConfig vehicle;
+  VehicleMode vehicle_mode = VehicleMode::TRACKED;
+  core::EndBody vehicle_body;  ///< set in mode free.
+
   core::StepperOptions solver;
   double rate = 20.0;            ///< [Hz], > 0.
   double pose_timeout = 1.0;     ///< [s], > 0.

@@ -43,6 +43,8 @@ class Reader
   int integer(const char* key, int fallback);
   bool flag(const char* key, bool fallback);
   std::string text(const char* key, const std::string& fallback);
+  /// Three numbers; NaN and a fault if they are missing.
+  core::Vector3 vector(const char* key);
   core::Vector3 vector(const char* key, const core::Vector3& fallback);
   /// Reader of the map at `key`; of an empty one if it is missing.
   Reader child(const char* key);
