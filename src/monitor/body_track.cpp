@@ -104,6 +104,13 @@ double BodyTrack::age(double t) const
   return after == poses_.begin() ? std::numeric_limits<double>::infinity() : t - std::prev(after)->t;
 }
 
+double BodyTrack::poseInterval(double t) const
+{
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  return after - poses_.begin() < 2 ? 0.0 : std::prev(after)->t - std::prev(after, 2)->t;
+}
+
 bool BodyTrack::covers(double t) const
 {
   return !poses_.empty() && poses_.back().t >= t;

@@ -45,10 +45,11 @@ void TetherEstimator::setCurrent(const core::CurrentProfile& current)
   model_.setCurrent(current);
 }
 
-bool TetherEstimator::setLength(double length)
+bool TetherEstimator::setPayout(double length, double rate)
 {
-  if (!std::isfinite(length) || length <= 0.0)
+  if (!std::isfinite(length) || length <= 0.0 || std::isinf(rate))
     return false;
+  estimate_.payout_rate = rate;
   if (std::abs(length - model_.length()) <= LENGTH_TOLERANCE * model_.length())
     return true;
   const core::CurrentProfile current = model_.environment().current;
@@ -63,15 +64,24 @@ void TetherEstimator::reset()
 {
   vessel_.clear();
   vehicle_.clear();
+  vessel_follower_.reset();
+  vehicle_follower_.reset();
   settled_ = announced_settling_ = started_ = false;
   rejected_at_ = -std::numeric_limits<double>::infinity();
   alarms_.restartClocks();
 }
 
-EndTargets TetherEstimator::targetsAt(double t) const
+core::EndPoint TetherEstimator::targetOf(const BodyTrack& track, const BodyConfig& body, double t,
+                                         EndFollower& follower) const
 {
-  return {vessel_.at(t).attachmentPoint(config_.vessel.attachment),
-          vehicle_.at(t).attachmentPoint(config_.vehicle.attachment), vessel_.age(t), vehicle_.age(t)};
+  const core::EndPoint now = track.at(t).attachmentPoint(body.attachment);
+  return follower.follow(t, now, t - track.age(t), std::min(track.poseInterval(t), config_.pose_timeout));
+}
+
+EndTargets TetherEstimator::targetsAt(double t)
+{
+  return {targetOf(vessel_, config_.vessel, t, vessel_follower_),
+          targetOf(vehicle_, config_.vehicle, t, vehicle_follower_), vessel_.age(t), vehicle_.age(t)};
 }
 
 const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
@@ -86,7 +96,8 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 const TetherEstimate& TetherEstimator::tick(double t)
 {
   const double since_last = t - estimate_.time;
-  if (started_ && (since_last < 0.0 || since_last > config_.invalid_timeout))
+  const double longest_gap = std::max(config_.invalid_timeout, 3.0 / config_.rate);
+  if (started_ && (since_last < 0.0 || since_last > longest_gap))
   {
     // Backwards, a new run of the clock has begun and the measurements belong to the old one.
     if (since_last < 0.0)
@@ -147,6 +158,11 @@ const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
 
 const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
 {
+  if (!settled_ && !announced_settling_)
+  {
+    announced_settling_ = true;
+    return refuse(t, Reason::SETTLING);
+  }
   if (!settled_)
     return begin(t, ends);
   estimate_.vessel_age = ends.vessel_age;

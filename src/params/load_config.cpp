@@ -29,6 +29,16 @@ core::Environment loadEnvironment(Reader in)
   sea.water_density = in.number("water_density", sea.water_density);
   sea.gravity = in.number("gravity", sea.gravity);
   sea.current = loadCurrent(in);
+  for (const char* key : {"wind", "obstacles", "seabed"})
+    in.notBuiltYet(key);
+  if (in.has("waves"))
+  {
+    Reader waves = in.child("waves");
+    waves.notBuiltYet("amplitude");
+    for (const char* key : {"length", "direction", "phase"})
+      waves.number(key, 0.0);
+    waves.finish();
+  }
   in.finish();
   return sea;
 }
@@ -37,7 +47,7 @@ core::CableProperties loadTether(Reader in, int& elements)
 {
   core::CableProperties p;
   p.length = in.number("length");
-  elements = in.integer("elements", elements);
+  elements = in.integer("elements");
   p.diameter = in.number("diameter");
   p.mass_per_length = in.number("mass_per_length");
   p.axial_stiffness = in.number("axial_stiffness");
@@ -50,6 +60,8 @@ core::CableProperties loadTether(Reader in, int& elements)
   p.working_load = in.number("working_load");
   p.breaking_load = in.number("breaking_load");
   p.min_bend_radius = in.optionalNumber("min_bend_radius");
+  for (const char* key : {"hydrostatic_compression", "permanent_elongation", "sections", "attachments"})
+    in.notBuiltYet(key);
   in.finish();
   return p;
 }
@@ -140,6 +152,7 @@ monitor::Config loadConfig(const Value& tree, const std::string& where)
   loadVehicle(in.child("vehicle"), config);
   config.solver = loadSolver(in.child("solver"));
   loadMonitor(in.child("monitor"), config);
+  in.notBuiltYet("winch");
   in.ignore("diagnostic_period");  // of diagnostic_updater
   in.finish();
 

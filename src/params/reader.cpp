@@ -1,5 +1,6 @@
 #include "tether_monitor/params/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -16,6 +17,21 @@ std::string joined(const std::string& where, const std::vector<std::string>& fau
   for (const std::string& fault : faults)
     text += "\n  - " + fault;
   return text;
+}
+
+std::optional<double> parseNumber(const std::string& text);
+
+bool isNeutral(const Value& value)
+{
+  if (const auto* text = value.get<std::string>())
+    return text->empty() || parseNumber(*text).value_or(1.0) == 0.0;
+  if (const auto* number = value.get<double>())
+    return *number == 0.0;
+  if (const auto* whole = value.get<long>())
+    return *whole == 0;
+  if (const auto* list = value.get<Value::List>())
+    return std::all_of(list->begin(), list->end(), isNeutral);
+  return value.isNull();
 }
 
 // Whole text as a number, else nothing. Hexadecimal, "inf" and "nan" are no numbers for a parameter.
@@ -107,6 +123,18 @@ std::optional<double> Reader::optionalNumber(const char* key)
 {
   const Value* value = find(key);
   return value ? toNumber(key, *value) : std::nullopt;
+}
+
+int Reader::integer(const char* key)
+{
+  return require(key) ? integer(key, 1) : 1;
+}
+
+void Reader::notBuiltYet(const char* key)
+{
+  const Value* value = find(key);
+  if (value && !isNeutral(*value))
+    fault(key, " = " + value->show() + " asks for what is not built yet");
 }
 
 int Reader::integer(const char* key, int fallback)

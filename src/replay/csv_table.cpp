@@ -74,6 +74,7 @@ CsvTable readCsv(const std::string& path)
     if (table.columns.empty())
     {
       table.columns = fields;
+      table.header_line = number;
       for (std::size_t i = 0; i < fields.size(); ++i)
         if (std::count(fields.begin(), fields.end(), fields[i]) > 1)
           fail(path, number, "column " + fields[i] + " stands twice");

@@ -22,7 +22,7 @@ class Columns
   {
     const auto index = table_.find(name);
     if (!index)
-      throw std::runtime_error(table_.path + ": column " + name + " is missing");
+      throw std::runtime_error(atHeader() + "column " + name + " is missing");
     wanted_.insert(name);
     std::vector<double> column;
     for (const auto& row : table_.rows)
@@ -38,8 +38,7 @@ class Columns
       return false;
     for (const std::string& suffix : suffixes)
       if (!present(suffix))
-        throw std::runtime_error(table_.path + ": column " + prefix + suffix +
-                                 " is missing beside its companions");
+        throw std::runtime_error(atHeader() + "column " + prefix + suffix + " is missing beside its companions");
     return true;
   }
 
@@ -56,10 +55,12 @@ class Columns
   {
     for (const std::string& column : table_.columns)
       if (wanted_.count(column) == 0)
-        throw std::runtime_error(table_.path + ": column " + column + " is not known");
+        throw std::runtime_error(atHeader() + "column " + column + " is not known");
   }
 
  private:
+  std::string atHeader() const { return table_.path + ", line " + std::to_string(table_.header_line) + ": "; }
+
   const CsvTable& table_;
   std::set<std::string> wanted_;
 };

@@ -33,6 +33,13 @@ CsvWriter& CsvWriter::number(double value)
   return *this;
 }
 
+CsvWriter& CsvWriter::time(double t)
+{
+  separate();
+  std::fprintf(file_.get(), "%.15g", t);
+  return *this;
+}
+
 CsvWriter& CsvWriter::text(const std::string& value)
 {
   separate();
@@ -71,7 +78,7 @@ EndsFile::EndsFile(const std::string& folder, bool with_vehicle)
 
 void EndsFile::writeColumns(const TetherEstimate& e)
 {
-  csv_.number(e.time);
+  csv_.time(e.time);
   for (const core::Vector3& force : {e.stations.ends.vessel, e.stations.ends.vehicle})
     for (int i = 0; i < 3; ++i)
       csv_.number(e.has_stations ? force[i] : TetherEstimate::NONE);
@@ -104,7 +111,7 @@ void ShapeFile::write(const TetherEstimate& e)
   const core::StationField& at = e.stations;
   for (std::size_t i = 0; i < at.s.size(); ++i)
   {
-    csv_.number(e.time)
+    csv_.time(e.time)
         .number(at.s[i])
         .number(at.position[i].x())
         .number(at.position[i].y())
@@ -127,7 +134,7 @@ void AlarmsFile::write(double t, const monitor::AlarmSet& set)
     if (alarm.state() == last_[i])
       continue;
     last_[i] = alarm.state();
-    csv_.number(t)
+    csv_.time(t)
         .text(alarm.definition().name)
         .text(describe(alarm.state()))
         .text(describe(alarm.definition().severity));

@@ -33,7 +33,7 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
     if (motion.hasCurrent())
       estimator.setCurrent(core::CurrentProfile(motion.current(t)));
     if (motion.hasPayout())
-      estimator.setLength(motion.payout(t));
+      estimator.setPayout(motion.payout(t));
   };
   for (std::size_t i = 0; i < times.size(); ++i)
   {

@@ -5,7 +5,10 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -19,19 +22,30 @@ namespace
 {
 constexpr double DEFAULT_RATE = 20.0;  // [Hz]
 
-// One input message, ready to be taken at its stamp.
+// Inputs of one kind, in order of their stamps. Each body has its own stream: looking ahead on one takes nothing
+// of another.
+enum Stream
+{
+  VESSEL_STREAM,
+  VEHICLE_STREAM,
+  OTHER_STREAM,
+  STREAMS
+};
+
+// One input message, ready to be taken.
 struct Input
 {
   ros::Time stamp;
+  ros::Time recorded;
   bool is_pose;
-  BodyName body;
   std::string topic;
   std::function<std::string(MeasurementIntake&)> take;
 };
 
 struct Recording
 {
-  std::vector<Input> inputs;
+  std::array<std::vector<Input>, STREAMS> inputs;
+  std::array<std::size_t, STREAMS> next{};
   tf2::BufferCore transforms{ros::Duration(1e9)};
   std::map<std::string, RefusalCount> refusals;
 };
@@ -56,9 +70,10 @@ bool addBody(const rosbag::MessageInstance& instance, const std::string& topic, 
   const auto message = instance.instantiate<Message>();
   if (!message)
     return false;
-  recording.inputs.push_back({message->header.stamp, is_pose, body, topic,
-                              [message, body](MeasurementIntake& intake)
-                              { return intake.take(body, *message, message->header.stamp); }});
+  const ros::Time recorded = instance.getTime();
+  recording.inputs[body == BodyName::VESSEL ? VESSEL_STREAM : VEHICLE_STREAM].push_back(
+      {message->header.stamp, recorded, is_pose, topic,
+       [message, body, recorded](MeasurementIntake& intake) { return intake.take(body, *message, recorded); }});
   return true;
 }
 
@@ -68,9 +83,10 @@ bool addOther(const rosbag::MessageInstance& instance, const std::string& topic,
   const auto message = instance.instantiate<Message>();
   if (!message)
     return false;
-  recording.inputs.push_back({message->header.stamp, false, BodyName::VESSEL, topic,
-                              [message](MeasurementIntake& intake)
-                              { return intake.take(*message, message->header.stamp); }});
+  const ros::Time recorded = instance.getTime();
+  recording.inputs[OTHER_STREAM].push_back({message->header.stamp, recorded, false, topic,
+                                            [message, recorded](MeasurementIntake& intake)
+                                            { return intake.take(*message, recorded); }});
   return true;
 }
 
@@ -163,15 +179,66 @@ void readBag(const std::string& path, const std::string& ns, Recording& recordin
   {
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
-  const auto hasPose = [&](BodyName body)
+  for (const Stream body : {VESSEL_STREAM, VEHICLE_STREAM})
+    if (std::none_of(recording.inputs[body].begin(), recording.inputs[body].end(),
+                     [](const Input& input) { return input.is_pose; }))
+      failWithoutTopics(path, prefix, all);
+  for (std::vector<Input>& stream : recording.inputs)
+    std::stable_sort(stream.begin(), stream.end(),
+                     [](const Input& a, const Input& b) { return a.stamp < b.stamp; });
+}
+
+void takeNext(Recording& recording, Stream stream, MeasurementIntake& intake)
+{
+  const Input& input = recording.inputs[stream][recording.next[stream]++];
+  const std::string why = input.take(intake);
+  if (why.empty())
+    return;
+  RefusalCount& refusal = recording.refusals[input.topic];
+  ++refusal.count;
+  refusal.last_reason = why;
+}
+
+// Takes what is known at time t, and of each body what comes next, so that its motion is interpolated.
+void takeUntil(double t, const TimeBase& base, const monitor::TetherEstimator& estimator, Recording& recording,
+               MeasurementIntake& intake)
+{
+  const auto covered = [&](int stream)
   {
-    return std::any_of(recording.inputs.begin(), recording.inputs.end(),
-                       [body](const Input& input) { return input.is_pose && input.body == body; });
+    return stream == OTHER_STREAM ||
+           (stream == VESSEL_STREAM ? estimator.vesselTrack() : estimator.vehicleTrack()).covers(t);
   };
-  if (!hasPose(BodyName::VESSEL) || !hasPose(BodyName::VEHICLE))
-    failWithoutTopics(path, prefix, all);
-  std::stable_sort(recording.inputs.begin(), recording.inputs.end(),
-                   [](const Input& a, const Input& b) { return a.stamp < b.stamp; });
+  for (int stream = 0; stream < STREAMS; ++stream)
+    while (recording.next[stream] < recording.inputs[stream].size())
+    {
+      const double stamp = base.seconds(recording.inputs[stream][recording.next[stream]].stamp);
+      if (stamp > t && (covered(stream) || stamp > t + estimator.config().pose_timeout))
+        break;
+      takeNext(recording, static_cast<Stream>(stream), intake);
+    }
+}
+
+std::vector<std::string> warningsOf(const Recording& recording)
+{
+  std::vector<std::string> texts;
+  for (const auto& [topic, refusal] : recording.refusals)
+    texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
+                    " refused, last: " + refusal.last_reason);
+  return texts;
+}
+
+// Stamps of the first and the last usable pose of a body: neither zero nor beyond the time of its recording.
+std::pair<ros::Time, ros::Time> poseSpan(const Recording& recording, Stream body, double tolerance)
+{
+  std::pair<ros::Time, ros::Time> span;
+  for (const Input& input : recording.inputs[body])
+    if (input.is_pose && !input.stamp.isZero() && (input.stamp - input.recorded).toSec() <= tolerance)
+    {
+      if (span.first.isZero())
+        span.first = input.stamp;
+      span.second = input.stamp;
+    }
+  return span;
 }
 }  // namespace
 
@@ -181,71 +248,54 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
 {
   Recording recording;
   readBag(path, ns, recording);
-  const std::vector<Input>& inputs = recording.inputs;
-  const auto stamped =
-      std::find_if(inputs.begin(), inputs.end(), [](const Input& i) { return !i.stamp.isZero(); });
-  if (stamped == inputs.end())
-    throw std::runtime_error("the bag " + path + " has no message of ours with a stamp");
-  const TimeBase base(stamped->stamp);
+  const double tolerance = estimator.config().pose_timeout;
+  const auto vessel = poseSpan(recording, VESSEL_STREAM, tolerance);
+  const auto vehicle = poseSpan(recording, VEHICLE_STREAM, tolerance);
+  const TimeBase base(std::min(vessel.first, vehicle.first));
   MeasurementIntake intake(estimator, recording.transforms);
   intake.setTimeBase(base);
 
-  std::size_t next = 0;
-  const auto takeNext = [&]
-  {
-    const Input& input = inputs[next++];
-    const std::string why = input.take(intake);
-    if (why.empty())
-      return;
-    RefusalCount& refusal = recording.refusals[input.topic];
-    ++refusal.count;
-    refusal.last_reason = why;
-  };
   // Start when both bodies are known.
-  while (next < inputs.size() && !(estimator.vessel().hasPose() && estimator.vehicle().hasPose()))
-    takeNext();
-  const auto warnings = [&]
-  {
-    std::vector<std::string> texts;
-    for (const auto& [topic, refusal] : recording.refusals)
-      texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
-                      " refused, last: " + refusal.last_reason);
-    return texts;
-  };
+  for (const Stream body : {VESSEL_STREAM, VEHICLE_STREAM})
+    while (recording.next[body] < recording.inputs[body].size() &&
+           !(body == VESSEL_STREAM ? estimator.vessel() : estimator.vehicle()).hasPose())
+      takeNext(recording, body, intake);
   if (!estimator.vessel().hasPose() || !estimator.vehicle().hasPose())
   {
     std::string text = "the bag " + path + ": every pose of vessel or vehicle was refused";
-    for (const std::string& warning : warnings())
+    for (const std::string& warning : warningsOf(recording))
       text += "\n  " + warning;
     throw std::runtime_error(text);
   }
 
+  // The model follows the motion at the monitor's rate or finer, whatever the rate of the output.
   const double begin = std::max(estimator.vessel().lastPoseTime(), estimator.vehicle().lastPoseTime());
-  const double end = std::max(begin, base.seconds(inputs.back().stamp));
+  const double end = std::max(begin, base.seconds(std::max(vessel.second, vehicle.second)));
   const double rate = options.rate > 0.0 ? options.rate : DEFAULT_RATE;
-  const long ticks = static_cast<long>((end - begin) * rate + 1e-6) + 1;
-  for (long i = 0; i < ticks; ++i)
+  const double longest = std::min(estimator.config().solver.step, 1.0 / estimator.config().rate);
+  const int parts = std::max(1, static_cast<int>(std::ceil(1.0 / (rate * longest) - 1e-9)));
+  const long outputs = static_cast<long>((end - begin) * rate + 1e-6) + 1;
+  for (long i = 0; i < outputs; ++i)
   {
-    const double t = begin + i / rate;
-    const auto wanted = [&](double stamp)
+    for (int part = i == 0 ? parts : 1; part <= parts; ++part)
     {
-      const bool covered = estimator.vessel().covers(t) && estimator.vehicle().covers(t);
-      return stamp <= t || (!covered && stamp <= t + estimator.config().pose_timeout);
-    };
-    while (next < inputs.size() && wanted(base.seconds(inputs[next].stamp)))
-      takeNext();
-    recorder.beginStep();
-    if (i == 0)
-      estimator.beginFromTracks(t);
-    else
-      estimator.tick(t);
-    recorder.endStep();
-    recorder.observe(estimator);
+      const double t = begin + (i - 1 + static_cast<double>(part) / parts) / rate;
+      takeUntil(t, base, estimator, recording, intake);
+      recorder.beginStep();
+      if (i == 0)
+        estimator.beginFromTracks(t);
+      else
+        estimator.tick(t);
+      recorder.endStep();
+      recorder.observe(estimator);
+    }
     recorder.write(estimator);
     if (options.progress)
-      options.progress((i + 1.0) / ticks);
+      options.progress((i + 1.0) / outputs);
   }
-  return warnings();
+  // What is left is looked at too: a stray stamp must not go unnoticed.
+  takeUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, intake);
+  return warningsOf(recording);
 }
 
 }  // namespace tether_monitor

@@ -63,7 +63,7 @@ void toMessage(const monitor::TetherEstimate& e, double stress_area, TetherState
   out.reason = static_cast<uint8_t>(e.reason);
   out.length = e.length;
   out.stretched_length = e.has_stations ? at.stretched_length : NONE;
-  out.payout_rate = NONE;
+  out.payout_rate = e.payout_rate;
   out.s.assign(at.s.begin(), at.s.begin() + n);
   out.tension.assign(at.tension.begin(), at.tension.begin() + n);
   out.strain.assign(at.strain.begin(), at.strain.begin() + n);

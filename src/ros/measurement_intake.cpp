@@ -40,6 +40,23 @@ std::string MeasurementIntake::stampProblem(const std_msgs::Header& header, cons
   return "";
 }
 
+geometry_msgs::TransformStamped MeasurementIntake::lookUp(const std::string& world,
+                                                          const std_msgs::Header& header) const
+{
+  try
+  {
+    return transforms_.lookupTransform(world, header.frame_id, header.stamp);
+  }
+  catch (const tf2::ExtrapolationException&)
+  {
+    // A moving frame is usually told a little after the poses in it.
+    const geometry_msgs::TransformStamped last = transforms_.lookupTransform(world, header.frame_id, ros::Time());
+    if (std::abs((header.stamp - last.header.stamp).toSec()) > estimator_.config().pose_timeout)
+      throw;
+    return last;
+  }
+}
+
 std::string MeasurementIntake::transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const
 {
   const std::string& world = estimator_.config().world_frame;
@@ -50,7 +67,7 @@ std::string MeasurementIntake::transformToWorld(const std_msgs::Header& header, 
     return "header.frame_id is empty (expected '" + world + "')";
   try
   {
-    transform = isometry(transforms_.lookupTransform(world, header.frame_id, header.stamp).transform);
+    transform = isometry(lookUp(world, header).transform);
     return "";
   }
   catch (const tf2::TransformException& error)
@@ -125,7 +142,7 @@ std::string MeasurementIntake::take(const Payout& message, const ros::Time& now)
   std::string why = stampProblem(message.header, now);
   if (why.empty() && !std::isfinite(message.rate))
     why = "rate is not finite";
-  if (why.empty() && !estimator_.setLength(message.length))
+  if (why.empty() && !estimator_.setPayout(message.length, message.rate))
     why = "length = " + std::to_string(message.length) + " (must be > 0 m)";
   return refused(why, now);
 }

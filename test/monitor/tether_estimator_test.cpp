@@ -156,9 +156,9 @@ TEST(Estimator, ADeployedLengthFromTheWinchReplacesTheConfiguredOne)
 {
   Feeder feeder;
   feeder.run(1.0);
-  EXPECT_FALSE(feeder.estimator.setLength(-3.0));
-  EXPECT_FALSE(feeder.estimator.setLength(NAN));
-  EXPECT_TRUE(feeder.estimator.setLength(110.0));
+  EXPECT_FALSE(feeder.estimator.setPayout(-3.0));
+  EXPECT_FALSE(feeder.estimator.setPayout(NAN));
+  EXPECT_TRUE(feeder.estimator.setPayout(110.0));
   const TetherEstimate& e = feeder.run(0.2);
   EXPECT_EQ(e.status, Status::OK);
   EXPECT_DOUBLE_EQ(e.length, 110.0);

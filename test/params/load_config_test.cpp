@@ -14,8 +14,9 @@ namespace
 {
 Value::Map tetherKeys()
 {
-  return {{"length", 400.0},     {"diameter", 0.03},        {"mass_per_length", 1.43}, {"axial_stiffness", 6.75e7},
-          {"drag_normal", 1.35}, {"drag_tangential", 0.04}, {"working_load", 2.0e4},   {"breaking_load", 6.0e4}};
+  return {{"length", 400.0},         {"elements", 50.0},          {"diameter", 0.03},
+          {"mass_per_length", 1.43}, {"axial_stiffness", 6.75e7}, {"drag_normal", 1.35},
+          {"drag_tangential", 0.04}, {"working_load", 2.0e4},     {"breaking_load", 6.0e4}};
 }
 Value tree(const Value::Map& tether, Value::Map more = {})
 {
@@ -86,6 +87,34 @@ TEST(LoadConfig, ANumberWrittenAsATextIsANumber)
     keys["axial_stiffness"] = std::string(word);
     EXPECT_EQ(faultsOf(tree(keys)).size(), 1u) << word;
   }
+}
+
+TEST(LoadConfig, WhatIsNotBuiltYetIsFineWhileNeutralAndAFaultElse)
+{
+  Value::Map keys = tetherKeys();
+  keys["sections"] = Value::List{};
+  keys["hydrostatic_compression"] = 0.0;
+  Value::Map sea{{"wind", Value::List{0.0, 0.0, 0.0}},
+                 {"waves", Value::Map{{"amplitude", 0.0}, {"length", 100.0}}}};
+  EXPECT_TRUE(faultsOf(tree(keys, {{"environment", Value(sea)}})).empty());
+  sea["waves"] = Value::Map{{"amplitude", 1.0}};
+  keys["sections"] = Value::List{1.0};
+  EXPECT_EQ(faultsOf(tree(keys, {{"environment", Value(sea)}})),
+            (std::vector<std::string>{"environment.waves.amplitude = 1 asks for what is not built yet",
+                                      "tether.sections = a list asks for what is not built yet"}));
+}
+
+TEST(LoadConfig, AFreeVehicleNeedsItsBody)
+{
+  EXPECT_TRUE(
+      faultsOf(tree(tetherKeys(), {{"vehicle", Value(Value::Map{{"mode", std::string("tracked")}})}})).empty());
+  const auto faults = faultsOf(
+      tree(tetherKeys(), {{"vehicle", Value(Value::Map{{"mode", std::string("free")}, {"mass", -1.0}})}}));
+  EXPECT_EQ(faults,
+            (std::vector<std::string>{"vehicle.volume is missing", "vehicle.inertia is missing",
+                                      "vehicle.drag_area is missing", "vehicle.mass = -1 (must be > 0 kg)"}));
+  EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vehicle", Value(Value::Map{{"mode", std::string("loose")}})}})),
+            std::vector<std::string>{"vehicle.mode = 'loose' (must be tracked or free)"});
 }
 
 TEST(LoadConfig, KeysOfRosItselfAreAllowed)

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
+import signal
 import subprocess
+import time
 import unittest
 
 import rospkg
@@ -27,6 +29,19 @@ class BadParameters(unittest.TestCase):
 
     def test_good_parameters_keep_it_running(self):
         self.assertIsInstance(self.start(), subprocess.TimeoutExpired)
+
+    def test_sigint_ends_it_with_exit_code_0(self):
+        rospy.set_param("/bad/tether_monitor", self.parameters)
+        node = subprocess.Popen([self.binary(), "__ns:=bad"])
+        time.sleep(2.0)
+        self.assertIsNone(node.poll())
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(node.wait(timeout=1.0), 0)
+
+    def binary(self):
+        found = subprocess.check_output(["catkin_find", "--first-only", "--libexec", "tether_monitor", "tether_monitor_node"],
+                                        universal_newlines=True)
+        return found.strip()
 
     def test_all_faults_at_once(self):
         self.parameters["tether"]["drag_tangental"] = self.parameters["tether"].pop("drag_tangential")

@@ -54,6 +54,9 @@ TEST(NominalBag, TheRunIsFollowedFromEndToEnd)
   EXPECT_LT(std::count_if(states.begin(), states.end(),
                           [](const TetherState& s) { return s.status == TetherState::STATUS_INVALID; }),
             5);
+  EXPECT_GT(std::count_if(states.begin(), states.end(),
+                          [](const TetherState& s) { return s.status == TetherState::STATUS_OK; }),
+            static_cast<long>(0.95 * states.size()));
   EXPECT_GT(forces, 200);
   EXPECT_GT(markers, 200);
   ASSERT_GT(distances.size(), 200u);

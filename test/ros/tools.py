@@ -67,6 +67,50 @@ class Tools(unittest.TestCase):
         self.assertIn("over_tension", [row["name"] for row in alarms])
         self.assertEqual(len({row["t"] for row in rows(self.out + "/shape.csv")}), 13)
 
+    def test_the_output_rate_does_not_change_what_a_bag_says(self):
+        largest = []
+        for rate in ("20", "1"):
+            self.assertEqual(self.replay("--bag", TANK_BAG, "--rate", rate, config=TANK).returncode, 0)
+            with open(self.out + "/summary.json") as text:
+                largest.append(json.load(text)["max_tension"])
+            self.assertIn("over_tension", [row["name"] for row in rows(self.out + "/alarms.csv")])
+        self.assertAlmostEqual(largest[0], largest[1], delta=1e-3 * largest[0])
+
+    def test_bags_with_streams_of_uneven_rates_and_stray_stamps(self):
+        path = os.path.join(self.folder.name, "uneven.bag")
+        with rosbag.Bag(path, "w") as bag:
+            for i in range(4000):
+                message = PoseStamped()
+                message.header.stamp = rospy.Time.from_sec(100.0 + i / 400.0)
+                message.header.frame_id = "map"
+                message.pose.orientation.w = 1.0
+                message.pose.position.z = 1.0
+                bag.write("/vessel/pose", message, message.header.stamp)
+                if i % 400 == 0:
+                    message.pose.position.x, message.pose.position.z = 60.0, -70.0
+                    bag.write("/vehicle/pose", message, message.header.stamp)
+            message.header.stamp = rospy.Time(4.0e8)
+            bag.write("/vehicle/pose", message, rospy.Time(105))
+        ended = self.replay("--bag", path)
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertIn("1 message(s) on vehicle/pose refused", ended.stdout)
+        ends = rows(self.out + "/ends.csv")
+        self.assertLess(len(ends), 250)
+        self.assertNotIn("INVALID", [row["status"] for row in ends])
+
+    def test_steady_state_of_a_free_vehicle(self):
+        with open(SITE) as site:
+            config = self.file("free.yaml", site.read() + "vehicle: {mode: free, mass: 100.0, volume: 0.05, "
+                               "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1]}\n")
+        ended = run("tether_steady", "--config", config, "--vessel-position", "0,0,-1", "--out", self.out, "--quiet")
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        ends = rows(self.out + "/ends.csv")[0]
+        self.assertAlmostEqual(float(ends["vehicle_z"]), -100.0, delta=0.1)
+        self.assertAlmostEqual(float(ends["vehicle_fz"]), (100.0 - 1025.0 * 0.05) * 9.81, delta=0.01)
+        self.refused(run("tether_steady", "--config", config, "--vehicle-position", "1,2,3", "--out", self.out),
+                     "cannot be given for a free vehicle")
+        self.refused(self.replay("--bag", TANK_BAG, config=config), "vehicle.mode = free")
+
     def test_motion_with_a_gap_in_time(self):
         motion = self.file("m.csv", "# a comment\n" + HEADER + "0,0,0,1,60,0,-70\n0.5,0,0,1,60.1,0,-70\n4,0,0,1,61,0,-70\n")
         ended = self.replay("--motion", motion, "--shape-rate", "0")

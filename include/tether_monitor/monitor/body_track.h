@@ -58,6 +58,8 @@ class BodyTrack
   double age(double t) const;
   /// True if a pose at or after t is known, so that at(t) interpolates.
   bool covers(double t) const;
+  /// Time from the pose before the last one that is not later than t to that one [s]; 0 if there are no two.
+  double poseInterval(double t) const;
   /// Orientation of the last pose, for rates that are measured in body axes. Identity without one.
   Eigen::Quaterniond lastOrientation() const;
   /// Time of the last pose [s]; -infinity without one.

@@ -46,6 +46,7 @@ struct TetherEstimate
   bool has_stations = false;    ///< false while INVALID.
 
   double length = NONE;                ///< unstretched, deployed [m].
+  double payout_rate = NONE;           ///< [m/s]; NaN when nothing tells it.
   double max_tension = NONE;           ///< [N]
   double max_tension_s = NONE;         ///< [m]
   double min_tension = NONE;           ///< [N]

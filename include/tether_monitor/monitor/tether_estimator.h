@@ -7,6 +7,7 @@
 #include "tether_monitor/monitor/alarm_set.h"
 #include "tether_monitor/monitor/body_track.h"
 #include "tether_monitor/monitor/config.h"
+#include "tether_monitor/monitor/end_follower.h"
 #include "tether_monitor/monitor/tether_estimate.h"
 
 namespace tether_monitor::monitor
@@ -43,15 +44,18 @@ class TetherEstimator
 
   BodyTrack& vessel() { return vessel_; }
   BodyTrack& vehicle() { return vehicle_; }
+  const BodyTrack& vesselTrack() const { return vessel_; }
+  const BodyTrack& vehicleTrack() const { return vehicle_; }
   /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
   void noteRejectedInput(double t) { rejected_at_ = t; }
   /// Replaces the current profile, from the next step on.
   void setCurrent(const core::CurrentProfile& current);
   /**
-   * Deployed length from the winch [m]. A change of more than 0.1 % makes the tether settle anew at that length.
-   * @return false, and nothing changes, unless 0 < length < infinity.
+   * Deployed length from the winch [m] and its rate [m/s]. A change of more than 0.1 % makes the tether settle
+   * anew at that length, with one estimate that says so.
+   * @return false, and nothing changes, unless 0 < length < infinity and the rate is no infinity (NaN: unknown).
    */
-  bool setLength(double length);
+  bool setPayout(double length, double rate = TetherEstimate::NONE);
 
   /// Estimate at time t [s] from the tracks, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
@@ -88,13 +92,15 @@ class TetherEstimator
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
   Reason degradation(const EndTargets& ends) const;
-  EndTargets targetsAt(double t) const;
+  EndTargets targetsAt(double t);
+  core::EndPoint targetOf(const BodyTrack& track, const BodyConfig& body, double t, EndFollower& follower) const;
 
   Config config_;
   core::CableModel model_;
   core::Stepper stepper_;
   core::Statics statics_;
   BodyTrack vessel_, vehicle_;
+  EndFollower vessel_follower_, vehicle_follower_;
   AlarmSet alarms_;
 
   core::CableState state_;                        // relative to origin_

@@ -40,6 +40,8 @@ class Reader
   double number(const char* key);
   double number(const char* key, double fallback);
   std::optional<double> optionalNumber(const char* key);
+  /// A whole number; a fault and 1 if it is missing.
+  int integer(const char* key);
   int integer(const char* key, int fallback);
   bool flag(const char* key, bool fallback);
   std::string text(const char* key, const std::string& fallback);
@@ -50,6 +52,9 @@ class Reader
   Reader child(const char* key);
   /// Readers of the maps in the list at `key`; none if it is missing.
   std::vector<Reader> children(const char* key);
+  /// A key whose feature is not built yet: its neutral value (zero, nothing, an empty list) is fine, any other a
+  /// fault.
+  void notBuiltYet(const char* key);
   /// Accepts a key without looking at it.
   void ignore(const char* key) { wanted_.insert(key); }
 

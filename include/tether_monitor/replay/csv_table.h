@@ -12,6 +12,7 @@ struct CsvTable
   std::string path;
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;  ///< empty fields are NaN where allowed.
+  int header_line = 0;                    ///< line number of the header.
   std::vector<int> lines;                 ///< line number in the file, one for each row.
 
   /// Index of a column, or nothing.

@@ -17,6 +17,8 @@ class CsvWriter
   CsvWriter(const std::string& path, const std::string& header);
 
   CsvWriter& number(double value);
+  /// A time [s] with 15 digits, so that seconds since 1970 keep their microseconds.
+  CsvWriter& time(double t);
   CsvWriter& text(const std::string& value);
   /// Ends the row. @throws std::runtime_error naming the file if writing failed.
   void endRow();

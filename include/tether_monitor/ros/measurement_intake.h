@@ -45,6 +45,8 @@ class MeasurementIntake
 
  private:
   std::string stampProblem(const std_msgs::Header& header, const ros::Time& now) const;
+  /// Transform at the stamp, or the last one if that is at most pose_timeout away. @throws tf2::TransformException
+  geometry_msgs::TransformStamped lookUp(const std::string& world, const std_msgs::Header& header) const;
   std::string transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
   std::string refused(const std::string& why, const ros::Time& now);
   monitor::BodyTrack& track(BodyName body);

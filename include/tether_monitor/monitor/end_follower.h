@@ -1,0 +1,37 @@
+#pragma once
+
+#include "tether_monitor/core/end_path.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * Spreads corrections of an extrapolated end over the interval of its measurements.
+ *
+ * When poses come more slowly than ticks, each new pose corrects an extrapolation. Made up within one tick, a
+ * correction of centimetres would be a shock to a taut tether. This keeps the motion of the end continuous: the
+ * correction becomes an offset that fades with the time between poses.
+ */
+class EndFollower
+{
+ public:
+  /**
+   * The point that the model's end shall reach at time t.
+   *
+   * @param t              [s], increasing from call to call; else reset() first.
+   * @param now            where the measurements say that the end is.
+   * @param pose_time      time of the pose that this rests on [s].
+   * @param pose_interval  time from the pose before to this one [s]; not longer than the last call is ago: no
+   * offset.
+   */
+  core::EndPoint follow(double t, const core::EndPoint& now, double pose_time, double pose_interval);
+  void reset() { started_ = false; }
+
+ private:
+  bool started_ = false;
+  double t_ = 0.0;
+  double pose_time_ = 0.0;
+  core::EndPoint last_;
+  core::EndPoint offset_;
+};
+
+}  // namespace tether_monitor::monitor
