@@ -80,7 +80,7 @@ void Recorder::write(const monitor::TetherEstimator& estimator)
 
 void Recorder::finish(const monitor::TetherEstimator& estimator)
 {
-  nlohmann::ordered_json summary;
+  nlohmann::json summary;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
   summary["steps"] = estimator.count().steps;
