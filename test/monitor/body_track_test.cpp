@@ -64,7 +64,8 @@ TEST(BodyTrack, TurnsTheLeverWithTheBody)
   const core::EndPoint point = track.at(0.55).attachmentPoint({2, 0, 0});
   EXPECT_NEAR(point.position.x(), 2.0 * std::cos(0.275), 1e-6);
   EXPECT_NEAR(point.position.y(), 2.0 * std::sin(0.275), 1e-6);
-  EXPECT_NEAR(point.velocity.norm(), 1.0, 1e-6);
+  EXPECT_NEAR(point.velocity.x(), -std::sin(0.275), 1e-6);
+  EXPECT_NEAR(point.velocity.y(), std::cos(0.275), 1e-6);
   // Beyond the last pose the turn goes on.
   EXPECT_NEAR(track.at(1.2).attachmentPoint({2, 0, 0}).position.y(), 2.0 * std::sin(0.6), 1e-3);
 }

@@ -144,7 +144,7 @@ TEST(Estimator, ACopyGoesOnAsTheOriginal)
 {
   Feeder feeder;
   feeder.vehicle_velocity = {0.1, 0.2, 0.0};
-  feeder.run(3.0);
+  ASSERT_EQ(feeder.run(3.0).status, Status::OK) << "precondition";
   Feeder copy = feeder;
   feeder.run(3.0);
   copy.run(3.0);
