@@ -52,6 +52,7 @@ StationField::StationField(int elements)
   tension.assign(n, 0.0);
   strain.assign(n, 0.0);
   bend_radius.assign(n, 0.0);
+  stress.assign(n, 0.0);
 }
 
 void computeStations(const CableModel& model, const CableState& state, StationField& field)
@@ -74,6 +75,11 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
     field.tension[2 * i] = i == 0 ? tension_a : 0.5 * (field.tension[2 * i] + tension_a);
     field.tension[2 * i + 1] = 0.5 * (tension_a + tension_b);
     field.tension[2 * i + 2] = tension_b;
+    const double area = model.propertiesOf(i).stressArea();
+    const double stress_a = field.tension[2 * i] / area;
+    field.stress[2 * i] = i == 0 ? stress_a : std::max(stress_a, field.stress[2 * i]);
+    field.stress[2 * i + 1] = field.tension[2 * i + 1] / area;
+    field.stress[2 * i + 2] = tension_b / area;
 
     const Vector3 curvature_a = interpolate(shapeCurvatures(0.0, l), q);
     const Vector3 curvature_b = interpolate(shapeCurvatures(1.0, l), q);

@@ -1,6 +1,7 @@
 #include "tether_monitor/core/cable_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tether_monitor/core/bounds.h"
 #include "tether_monitor/core/inertia.h"
@@ -44,19 +45,55 @@ std::vector<std::string> elementCountProblems(int elements)
   return check.problems();
 }
 
-CableModel::CableModel(const CableProperties& properties, int elements, const Environment& sea)
+std::vector<std::string> elementCountProblems(int elements, double length, const CableFittings& fittings)
+{
+  std::vector<std::string> found = elementCountProblems(elements);
+  const bool meshable = found.empty() && std::isfinite(length) && length > 0.0;
+  if (meshable && problems(fittings, length).empty() && meshNodes(length, elements, fittings).empty())
+    found.push_back("tether.elements = " + std::to_string(elements) +
+                    " (must be enough for one between neighbouring sections and attachments)");
+  return found;
+}
+
+CableModel::CableModel(const CableProperties& properties, int elements, const Environment& sea,
+                       const CableFittings& fittings)
   : properties_(properties), sea_(sea)
 {
   std::vector<std::string> faults = problems(properties);
-  for (const auto& more : {problems(sea), elementCountProblems(elements)})
+  for (const auto& more : {problems(sea), problems(fittings, properties.length),
+                           elementCountProblems(elements, properties.length, fittings)})
     faults.insert(faults.end(), more.begin(), more.end());
   throwIfAny("tether model", faults);
 
-  const double element_length = properties.length / elements;
-  elements_.assign(elements, elementParameters(properties, element_length, sea.gravity));
-  for (int node = 0; node <= elements; ++node)
-    arc_length_.push_back(properties.length * node / elements);
-  force_scale_ = 9.81 * std::max(1.0, properties.mass_per_length * properties.length);
+  kinds_.push_back(properties);
+  for (const CableSection& section : fittings.sections)
+  {
+    kinds_.push_back(section.properties);
+    kinds_.back().length = properties.length;
+  }
+  arc_length_ = meshNodes(properties.length, elements, fittings);
+  double mass = 0.0;
+  for (int i = 0; i < elements; ++i)
+  {
+    const double length = arc_length_[i + 1] - arc_length_[i];
+    const double middle = 0.5 * (arc_length_[i + 1] + arc_length_[i]);
+    kind_.push_back(0);
+    for (std::size_t k = 0; k < fittings.sections.size(); ++k)
+      if (middle > fittings.sections[k].from && middle < fittings.sections[k].to)
+        kind_.back() = static_cast<int>(k) + 1;
+    elements_.push_back(elementParameters(kinds_[kind_.back()], length, sea.gravity));
+    mass += length * elements_.back().mass;
+  }
+  for (const Attachment& attachment : fittings.attachments)
+  {
+    const auto nearest = std::min_element(arc_length_.begin(), arc_length_.end(),
+                                          [&](double x, double y)
+                                          { return std::abs(x - attachment.s) < std::abs(y - attachment.s); });
+    point_loads_.push_back({static_cast<int>(nearest - arc_length_.begin()), attachment.mass, attachment.volume,
+                            attachment.drag_area});
+    mass += attachment.mass;
+  }
+  force_scale_ = 9.81 * std::max(1.0, mass);
 }
 
 CableModel CableModel::stiffened(double floor) const
@@ -81,6 +118,9 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
     residual[i] += r.head<6>();
     residual[i + 1] += r.tail<6>();
   }
+  for (const PointLoad& load : point_loads_)
+    residual[load.node].head<3>() += pointLoadResidual(load, sea_, q[load.node].head<3>(), v[load.node].head<3>(),
+                                                       a[load.node].head<3>(), TangentWeights{}, nullptr);
 }
 
 void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeField& a,
@@ -98,6 +138,13 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
     residual[i] += r.head<6>();
     residual[i + 1] += r.tail<6>();
     tangent.addElement(i, J);
+  }
+  Matrix3 block;
+  for (const PointLoad& load : point_loads_)
+  {
+    residual[load.node].head<3>() += pointLoadResidual(load, sea_, q[load.node].head<3>(), v[load.node].head<3>(),
+                                                       a[load.node].head<3>(), weights, &block);
+    tangent.diagonal(load.node).topLeftCorner<3, 3>() += block;
   }
 }
 

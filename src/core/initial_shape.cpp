@@ -58,7 +58,13 @@ Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& v
     const Vector3 r = vessel + (i + 0.5) / SAMPLES * (vehicle - vessel);
     load += loadAt(model.element(i * model.elements() / SAMPLES), sea, r, vehicle - vessel, velocity);
   }
-  return load / SAMPLES;
+  load /= SAMPLES;
+  for (const PointLoad& point : model.pointLoads())
+    load -=
+        pointLoadResidual(point, sea, vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel),
+                          velocity, Vector3::Zero(), TangentWeights{}, nullptr) /
+        model.length();
+  return load;
 }
 }  // namespace
 
@@ -141,6 +147,10 @@ NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vec
     for (int i = N; i >= 0; --i)
     {
       const ElementParameters& e = model.element(std::max(i - 1, 0));
+      for (const PointLoad& load : model.pointLoads())
+        if (load.node == i)
+          n -= pointLoadResidual(load, model.environment(), r, velocity, Vector3::Zero(), TangentWeights{},
+                                 nullptr);
       shape[i] << r, (1.0 + n.norm() / e.axial.stiffness) * direction(n);
       for (int part = 0; part < PARTS && i > 0; ++part)
       {

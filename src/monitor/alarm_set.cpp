@@ -51,7 +51,7 @@ bool AlarmSet::update(const TetherEstimate& e)
     {
       case Quantity::WORKING_UTILISATION:
         value = e.working_utilisation;
-        s = e.max_tension_s;
+        s = e.working_utilisation_s;
         break;
       case Quantity::BREAKING_UTILISATION:
         value = e.breaking_utilisation;

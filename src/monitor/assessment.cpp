@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tether_monitor::monitor
 {
@@ -17,7 +18,7 @@ double angleBelow(const core::Vector3& direction)
 }
 }  // namespace
 
-void summarise(const Config& config, TetherEstimate& e)
+void summarise(const core::CableModel& model, TetherEstimate& e)
 {
   const core::StationField& at = e.stations;
   const auto most = std::max_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
@@ -32,8 +33,19 @@ void summarise(const Config& config, TetherEstimate& e)
   e.min_bend_radius_s = at.s[bend];
   e.vessel_tension = at.ends.vessel.norm();
   e.vehicle_tension = at.ends.vehicle.norm();
-  e.working_utilisation = e.max_tension / config.tether.working_load;
-  e.breaking_utilisation = e.max_tension / config.tether.breaking_load;
+  e.working_utilisation = e.breaking_utilisation = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < model.elements(); ++i)
+    for (int k = 2 * i; k <= 2 * i + 2; ++k)
+    {
+      const double working = at.tension[k] / model.propertiesOf(i).working_load;
+      e.breaking_utilisation =
+          std::max(e.breaking_utilisation, at.tension[k] / model.propertiesOf(i).breaking_load);
+      if (working > e.working_utilisation)
+      {
+        e.working_utilisation = working;
+        e.working_utilisation_s = at.s[k];
+      }
+    }
   e.vessel_end_angle = angleBelow(at.vessel_direction);
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
@@ -53,6 +65,7 @@ void invalidate(Reason reason, TetherEstimate& e)
   e.reason = reason;
   e.has_stations = false;
   e.length = e.max_tension = e.max_tension_s = e.min_tension = e.min_tension_s = NONE;
+  e.working_utilisation_s = NONE;
   e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
   e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
 }

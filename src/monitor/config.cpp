@@ -36,7 +36,8 @@ std::vector<std::string> problems(const Config& c)
 {
   std::vector<std::string> all = core::problems(c.environment);
   add(core::problems(c.tether), all);
-  add(core::elementCountProblems(c.elements), all);
+  add(core::problems(c.fittings, c.tether.length), all);
+  add(core::elementCountProblems(c.elements, c.tether.length, c.fittings), all);
   add(core::problems(c.solver), all);
   if (c.vehicle_mode == VehicleMode::FREE)
     add(core::problems(c.vehicle_body), all);

@@ -23,6 +23,17 @@ const Config& checked(const Config& config)
   return config;
 }
 
+void shift(double by, core::CableFittings& fittings)
+{
+  for (core::CableSection& section : fittings.sections)
+  {
+    section.from = section.from == 0.0 ? 0.0 : section.from + by;
+    section.to += by;
+  }
+  for (core::Attachment& attachment : fittings.attachments)
+    attachment.s += by;
+}
+
 core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 {
   return {end.position - origin, end.velocity};
@@ -31,7 +42,7 @@ core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 
 TetherEstimator::TetherEstimator(const Config& config)
   : config_(checked(config)),
-    model_(config.tether, config.elements, config.environment),
+    model_(config.tether, config.elements, config.environment, config.fittings),
     stepper_(model_.nodes(), config.solver),
     statics_(model_.nodes()),
     alarms_(config),
@@ -52,9 +63,16 @@ bool TetherEstimator::setPayout(double length, double rate)
   estimate_.payout_rate = rate;
   if (std::abs(length - model_.length()) <= LENGTH_TOLERANCE * model_.length())
     return true;
+  // What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel.
+  core::CableFittings fittings = config_.fittings;
+  shift(length - config_.tether.length, fittings);
+  if (!core::problems(fittings, length).empty() ||
+      !core::elementCountProblems(config_.elements, length, fittings).empty())
+    return false;
+  config_.fittings = fittings;
   const core::CurrentProfile current = model_.environment().current;
   config_.tether.length = length;
-  model_ = core::CableModel(config_.tether, config_.elements, config_.environment);
+  model_ = core::CableModel(config_.tether, config_.elements, config_.environment, config_.fittings);
   model_.setCurrent(current);
   settled_ = announced_settling_ = false;
   return true;
@@ -208,7 +226,7 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
   for (core::Vector3& position : estimate_.stations.position)
     position += origin_;
   estimate_.has_stations = true;
-  summarise(config_, estimate_);
+  summarise(model_, estimate_);
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
     return refuse(state_.time, Reason::NOT_CONVERGED);

@@ -43,27 +43,63 @@ core::Environment loadEnvironment(Reader in)
   return sea;
 }
 
-core::CableProperties loadTether(Reader in, int& elements)
+// The properties from `diameter` on: of the tether, or of a section that differs from it where it says so.
+void loadProperties(Reader& in, const core::CableProperties* base, core::CableProperties& p)
 {
-  core::CableProperties p;
-  p.length = in.number("length");
-  elements = in.integer("elements");
-  p.diameter = in.number("diameter");
-  p.mass_per_length = in.number("mass_per_length");
-  p.axial_stiffness = in.number("axial_stiffness");
+  const auto required = [&](const char* key, double core::CableProperties::*member)
+  { p.*member = base ? in.number(key, base->*member) : in.number(key); };
+  required("diameter", &core::CableProperties::diameter);
+  required("mass_per_length", &core::CableProperties::mass_per_length);
+  required("axial_stiffness", &core::CableProperties::axial_stiffness);
   p.bending_stiffness = in.number("bending_stiffness", p.bending_stiffness);
   p.axial_damping = in.number("axial_damping", p.axial_damping);
-  p.drag_normal = in.number("drag_normal");
-  p.drag_tangential = in.number("drag_tangential");
+  required("drag_normal", &core::CableProperties::drag_normal);
+  required("drag_tangential", &core::CableProperties::drag_tangential);
   p.added_mass_normal = in.number("added_mass_normal", p.added_mass_normal);
-  p.load_area = in.optionalNumber("load_area");
-  p.working_load = in.number("working_load");
-  p.breaking_load = in.number("breaking_load");
-  p.min_bend_radius = in.optionalNumber("min_bend_radius");
-  for (const char* key : {"hydrostatic_compression", "permanent_elongation", "sections", "attachments"})
+  if (in.has("load_area"))
+    p.load_area = in.optionalNumber("load_area");
+  required("working_load", &core::CableProperties::working_load);
+  required("breaking_load", &core::CableProperties::breaking_load);
+  for (const char* key : {"hydrostatic_compression", "permanent_elongation"})
     in.notBuiltYet(key);
+}
+
+core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether)
+{
+  core::CableFittings fittings;
+  for (Reader& entry : in.children("sections"))
+  {
+    core::CableSection section;
+    section.from = entry.number("from");
+    section.to = entry.number("to");
+    section.properties = tether;
+    loadProperties(entry, &tether, section.properties);
+    entry.finish();
+    fittings.sections.push_back(section);
+  }
+  for (Reader& entry : in.children("attachments"))
+  {
+    core::Attachment attachment;
+    attachment.name = entry.text("name", "");
+    attachment.s = entry.number("s");
+    attachment.mass = entry.number("mass");
+    attachment.volume = entry.number("volume");
+    attachment.drag_area = entry.number("drag_area", 0.0);
+    entry.finish();
+    fittings.attachments.push_back(attachment);
+  }
+  return fittings;
+}
+
+void loadTether(Reader in, monitor::Config& config)
+{
+  core::CableProperties& p = config.tether;
+  p.length = in.number("length");
+  config.elements = in.integer("elements");
+  loadProperties(in, nullptr, p);
+  p.min_bend_radius = in.optionalNumber("min_bend_radius");
+  config.fittings = loadFittings(in, p);
   in.finish();
-  return p;
 }
 
 monitor::BodyConfig loadBody(Reader in)
@@ -147,7 +183,7 @@ monitor::Config loadConfig(const Value& tree, const std::string& where)
   monitor::Config config;
   config.world_frame = in.text("world_frame", config.world_frame);
   config.environment = loadEnvironment(in.child("environment"));
-  config.tether = loadTether(in.child("tether"), config.elements);
+  loadTether(in.child("tether"), config);
   config.vessel = loadBody(in.child("vessel"));
   loadVehicle(in.child("vehicle"), config);
   config.solver = loadSolver(in.child("solver"));

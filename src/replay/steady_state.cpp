@@ -10,7 +10,7 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
                             const core::Vector3& vehicle, const core::Vector3& velocity)
 {
   core::throwIfAny("configuration", problems(config));
-  const core::CableModel model(config.tether, config.elements, config.environment);
+  const core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
   core::SteadyEnds ends{vessel + config.vessel.attachment, vehicle + config.vehicle.attachment, velocity};
   if (config.vehicle_mode == monitor::VehicleMode::FREE)
     ends.body = config.vehicle_body;
@@ -28,7 +28,7 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
   e.stations = core::StationField(config.elements);
   core::computeStations(model, core::CableState(0.0, shape, velocity), e.stations);
   e.has_stations = true;
-  monitor::summarise(config, e);
+  monitor::summarise(model, e);
   e.reason = monitor::modelRange(e);
   e.status = e.reason == monitor::Reason::NONE ? monitor::Status::OK : monitor::Status::DEGRADED;
   return result;

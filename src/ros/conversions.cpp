@@ -54,7 +54,7 @@ geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
   return message;
 }
 
-void toMessage(const monitor::TetherEstimate& e, double stress_area, TetherState& out)
+void toMessage(const monitor::TetherEstimate& e, TetherState& out)
 {
   constexpr double NONE = monitor::TetherEstimate::NONE;
   const core::StationField& at = e.stations;
@@ -69,11 +69,10 @@ void toMessage(const monitor::TetherEstimate& e, double stress_area, TetherState
   out.strain.assign(at.strain.begin(), at.strain.begin() + n);
   out.bend_radius.assign(at.bend_radius.begin(), at.bend_radius.begin() + n);
   out.position.resize(n);
-  out.stress.resize(n);
+  out.stress.assign(at.stress.begin(), at.stress.begin() + n);
   for (std::size_t i = 0; i < n; ++i)
   {
     out.position[i] = pointMessage(at.position[i]);
-    out.stress[i] = at.tension[i] / stress_area;
   }
   out.vehicle_relative =
       vectorMessage(n > 0 ? core::Vector3(at.position[n - 1] - at.position[0]) : core::Vector3::Constant(NONE));

@@ -145,7 +145,7 @@ void TetherMonitorRos::publish(const ros::Time& stamp, double step_time)
   over_tension.data = estimator_.overTension();
   over_tension_pub_.publish(over_tension);
 
-  toMessage(e, estimator_.config().tether.stressArea(), state_message_);
+  toMessage(e, state_message_);
   state_message_.header = header;
   state_message_.step_time = step_time;
   state_pub_.publish(state_message_);

@@ -98,10 +98,10 @@ TEST(LoadConfig, WhatIsNotBuiltYetIsFineWhileNeutralAndAFaultElse)
                  {"waves", Value::Map{{"amplitude", 0.0}, {"length", 100.0}}}};
   EXPECT_TRUE(faultsOf(tree(keys, {{"environment", Value(sea)}})).empty());
   sea["waves"] = Value::Map{{"amplitude", 1.0}};
-  keys["sections"] = Value::List{1.0};
+  keys["hydrostatic_compression"] = 1e-4;
   EXPECT_EQ(faultsOf(tree(keys, {{"environment", Value(sea)}})),
             (std::vector<std::string>{"environment.waves.amplitude = 1 asks for what is not built yet",
-                                      "tether.sections = a list asks for what is not built yet"}));
+                                      "tether.hydrostatic_compression = 0.0001 asks for what is not built yet"}));
 }
 
 TEST(LoadConfig, AFreeVehicleNeedsItsBody)

@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "tether_monitor/core/block_tridiagonal.h"
+#include "tether_monitor/core/cable_fittings.h"
 #include "tether_monitor/core/cable_properties.h"
 #include "tether_monitor/core/element_response.h"
 #include "tether_monitor/core/environment.h"
+#include "tether_monitor/core/point_load.h"
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
@@ -22,14 +24,19 @@ class CableModel
    * @param properties  see CableProperties.
    * @param elements    number of elements N, 1 <= N <= 100000; the model has N + 1 nodes.
    * @param sea         see Environment.
+   * @param fittings    sections, weights and floats; see CableFittings.
    * @throws std::invalid_argument listing every violated bound.
    */
-  CableModel(const CableProperties& properties, int elements, const Environment& sea);
+  CableModel(const CableProperties& properties, int elements, const Environment& sea,
+             const CableFittings& fittings = CableFittings());
 
   int elements() const { return static_cast<int>(elements_.size()); }
   int nodes() const { return elements() + 1; }
   const ElementParameters& element(int i) const { return elements_[i]; }
   const CableProperties& properties() const { return properties_; }
+  /// Properties of element `i`: those of its section.
+  const CableProperties& propertiesOf(int i) const { return kinds_[kind_[i]]; }
+  const std::vector<PointLoad>& pointLoads() const { return point_loads_; }
   const Environment& environment() const { return sea_; }
   /// Unstretched arc length of a node from the vessel end [m]; 0 <= node <= elements().
   double arcLength(int node) const { return arc_length_[node]; }
@@ -58,6 +65,9 @@ class CableModel
 
  private:
   CableProperties properties_;
+  std::vector<CableProperties> kinds_;  // the tether's own, then one for each section
+  std::vector<int> kind_;               // of each element
+  std::vector<PointLoad> point_loads_;
   Environment sea_;
   std::vector<ElementParameters> elements_;
   std::vector<double> arc_length_;
@@ -66,5 +76,7 @@ class CableModel
 
 /// What is violated when `elements` is used as a number of elements, or nothing.
 std::vector<std::string> elementCountProblems(int elements);
+/// The same for a tether of `length` [m] with fittings: there must be an element for each piece between them.
+std::vector<std::string> elementCountProblems(int elements, double length, const CableFittings& fittings);
 
 }  // namespace tether_monitor::core

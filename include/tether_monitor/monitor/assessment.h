@@ -1,13 +1,13 @@
 #pragma once
 
-#include "tether_monitor/monitor/config.h"
+#include "tether_monitor/core/cable_model.h"
 #include "tether_monitor/monitor/tether_estimate.h"
 
 namespace tether_monitor::monitor
 {
-/// Fills the numbers of `estimate` that follow from its stations: extremes, utilisations, angles. Allocates
-/// nothing.
-void summarise(const Config& config, TetherEstimate& estimate);
+/// Fills the numbers of `estimate` that follow from its stations: extremes, utilisations (each station against the
+/// loads of its own section, the weaker one at a boundary), angles. Allocates nothing.
+void summarise(const core::CableModel& model, TetherEstimate& estimate);
 
 /// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load or 10 % strain, MESH_COARSE
 /// where the tether turns by more than 1.2 rad within one element, else NONE.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/cable_fittings.h"
 #include "tether_monitor/core/cable_properties.h"
 #include "tether_monitor/core/end_body.h"
 #include "tether_monitor/core/environment.h"
@@ -53,6 +54,7 @@ struct Config
   std::string world_frame = "map";
   core::Environment environment;
   core::CableProperties tether;
+  core::CableFittings fittings;
   int elements = 50;
   BodyConfig vessel;
   BodyConfig vehicle;

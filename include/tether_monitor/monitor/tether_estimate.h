@@ -45,22 +45,23 @@ struct TetherEstimate
   core::StationField stations;  ///< positions in the world frame; see has_stations.
   bool has_stations = false;    ///< false while INVALID.
 
-  double length = NONE;                ///< unstretched, deployed [m].
-  double payout_rate = NONE;           ///< [m/s]; NaN when nothing tells it.
-  double max_tension = NONE;           ///< [N]
-  double max_tension_s = NONE;         ///< [m]
-  double min_tension = NONE;           ///< [N]
-  double min_tension_s = NONE;         ///< [m]
-  double vessel_tension = NONE;        ///< size of the force on the vessel end [N].
-  double vehicle_tension = NONE;       ///< size of the force on the vehicle end [N].
-  double working_utilisation = NONE;   ///< max_tension / working_load [-].
-  double breaking_utilisation = NONE;  ///< max_tension / breaking_load [-].
-  double min_bend_radius = NONE;       ///< [m]
-  double min_bend_radius_s = NONE;     ///< [m]
-  double vessel_end_angle = NONE;      ///< of the tether below the horizontal at the vessel end [rad].
-  double vehicle_end_angle = NONE;     ///< the same at the vehicle end [rad].
-  double vessel_age = NONE;            ///< age of the last vessel pose [s].
-  double vehicle_age = NONE;           ///< age of the last vehicle pose [s].
+  double length = NONE;                 ///< unstretched, deployed [m].
+  double payout_rate = NONE;            ///< [m/s]; NaN when nothing tells it.
+  double max_tension = NONE;            ///< [N]
+  double max_tension_s = NONE;          ///< [m]
+  double min_tension = NONE;            ///< [N]
+  double min_tension_s = NONE;          ///< [m]
+  double vessel_tension = NONE;         ///< size of the force on the vessel end [N].
+  double vehicle_tension = NONE;        ///< size of the force on the vehicle end [N].
+  double working_utilisation = NONE;    ///< largest tension over the working load of its section [-].
+  double working_utilisation_s = NONE;  ///< where [m].
+  double breaking_utilisation = NONE;   ///< largest tension over the breaking load of its section [-].
+  double min_bend_radius = NONE;        ///< [m]
+  double min_bend_radius_s = NONE;      ///< [m]
+  double vessel_end_angle = NONE;       ///< of the tether below the horizontal at the vessel end [rad].
+  double vehicle_end_angle = NONE;      ///< the same at the vehicle end [rad].
+  double vessel_age = NONE;             ///< age of the last vessel pose [s].
+  double vehicle_age = NONE;            ///< age of the last vehicle pose [s].
 };
 
 }  // namespace tether_monitor::monitor

@@ -25,8 +25,7 @@ geometry_msgs::Point pointMessage(const Eigen::Vector3d& v);
 geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v);
 
 /// Fills the message from an estimate; every field is written, so `out` may be used again and again.
-/// @param stress_area  cross-section that carries the load [m^2].
-void toMessage(const monitor::TetherEstimate& estimate, double stress_area, TetherState& out);
+void toMessage(const monitor::TetherEstimate& estimate, TetherState& out);
 
 /// A force [N] at a tether end; NaN while there is none.
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,

@@ -43,7 +43,7 @@ TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
   TetherState message;
   message.s = {1.0, 2.0};
   message.max_tension = 7.0;
-  toMessage(e, 1.0, message);
+  toMessage(e, message);
   EXPECT_TRUE(message.s.empty());
   EXPECT_TRUE(message.stress.empty());
   EXPECT_TRUE(std::isnan(message.max_tension));
@@ -59,10 +59,10 @@ TEST(StateMessage, CarriesTheEstimate)
       estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.1, 0.2});
   ASSERT_TRUE(e.has_stations);
   TetherState message;
-  toMessage(e, 2.0e-5, message);
+  toMessage(e, message);
   ASSERT_EQ(message.s.size(), 21u);
   EXPECT_EQ(message.position.size(), 21u);
-  EXPECT_EQ(message.stress[4], message.tension[4] / 2.0e-5);
+  EXPECT_EQ(message.stress[4], message.tension[4] / config().tether.displacedArea());
   EXPECT_NEAR(message.vehicle_relative.z, -60.0, 1e-9);
   EXPECT_EQ(message.vehicle_age, 0.2);
 }

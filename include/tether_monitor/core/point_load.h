@@ -1,0 +1,27 @@
+#pragma once
+
+#include "tether_monitor/core/element_response.h"
+
+namespace tether_monitor::core
+{
+/// An attachment at a node, ready for the stepping path.
+struct PointLoad
+{
+  int node = 0;
+  double mass = 0.0;       ///< [kg]
+  double volume = 0.0;     ///< [m^3]
+  double drag_area = 0.0;  ///< [m^2]
+};
+
+/**
+ * Force that an attachment needs from outside, to be added to the residual of its node, and its iteration matrix.
+ *
+ * Model: m a + (m - rho V phi) g up + 1/2 rho CdA phi |u| u, (M20) of doc/model.md.
+ *
+ * @param r, v, a  position, velocity and acceleration of the node.
+ * @param tangent  out unless null: weighted derivative, see TangentWeights.
+ */
+Vector3 pointLoadResidual(const PointLoad& load, const Environment& sea, const Vector3& r, const Vector3& v,
+                          const Vector3& a, const TangentWeights& weights, Matrix3* tangent);
+
+}  // namespace tether_monitor::core
