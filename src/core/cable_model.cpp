@@ -83,6 +83,7 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
         kind_.back() = static_cast<int>(k) + 1;
     elements_.push_back(elementParameters(kinds_[kind_.back()], length, sea.gravity));
     mass += length * elements_.back().mass;
+    largest_stiffness_ = std::max(largest_stiffness_, elements_.back().axial.stiffness / length);
   }
   for (const Attachment& attachment : fittings.attachments)
   {

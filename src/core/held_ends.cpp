@@ -14,8 +14,8 @@ double roundOff(const CableModel& model, const NodeField& q)
   double extent = 0.0;
   for (const NodeCoords& node : q)
     extent = std::max(extent, node.head<3>().lpNorm<Eigen::Infinity>());
-  const ElementParameters& e = model.element(0);
-  return 4.0 * std::numeric_limits<double>::epsilon() * e.axial.stiffness * (1.0 + extent / e.length);
+  return 4.0 * std::numeric_limits<double>::epsilon() * model.largestStiffness() *
+         (model.length() / model.elements() + extent);
 }
 }  // namespace
 

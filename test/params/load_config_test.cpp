@@ -104,6 +104,25 @@ TEST(LoadConfig, WhatIsNotBuiltYetIsFineWhileNeutralAndAFaultElse)
                                       "tether.hydrostatic_compression = 0.0001 asks for what is not built yet"}));
 }
 
+TEST(LoadConfig, SectionsTakeFromTheTetherWhatTheyDoNotSay)
+{
+  Value::Map keys = tetherKeys();
+  keys["sections"] = Value::List{Value(Value::Map{{"from", 0.0}, {"to", 100.0}, {"diameter", 0.05}})};
+  keys["attachments"] = Value::List{
+      Value(Value::Map{{"name", std::string("float")}, {"s", 200.0}, {"mass", 5.0}, {"volume", 0.02}})};
+  const monitor::Config c = loadConfig(tree(keys), "/test");
+  ASSERT_EQ(c.fittings.sections.size(), 1u);
+  EXPECT_EQ(c.fittings.sections[0].properties.diameter, 0.05);
+  EXPECT_EQ(c.fittings.sections[0].properties.mass_per_length, 1.43);
+  ASSERT_EQ(c.fittings.attachments.size(), 1u);
+  EXPECT_EQ(c.fittings.attachments[0].name, "float");
+  EXPECT_EQ(c.fittings.attachments[0].volume, 0.02);
+
+  keys["sections"] = Value::List{Value(Value::Map{{"from", 0.0}, {"to", 500.0}, {"diametre", 0.05}})};
+  EXPECT_EQ(faultsOf(tree(keys)), (std::vector<std::string>{"tether.sections[0].diametre is not a known parameter",
+                                                            "tether.sections[0].to = 500 (must be <= length)"}));
+}
+
 TEST(LoadConfig, AFreeVehicleNeedsItsBody)
 {
   EXPECT_TRUE(

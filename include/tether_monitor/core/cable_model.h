@@ -41,6 +41,8 @@ class CableModel
   /// Unstretched arc length of a node from the vessel end [m]; 0 <= node <= elements().
   double arcLength(int node) const { return arc_length_[node]; }
   double length() const { return arc_length_.back(); }
+  /// Largest EA / l of any element [N/m]: how much force a rounding of coordinates makes.
+  double largestStiffness() const { return largest_stiffness_; }
   /// Unit of force for tolerances [N]: dry weight of the whole tether, at least that of 1 kg.
   double forceScale() const { return force_scale_; }
 
@@ -72,6 +74,7 @@ class CableModel
   std::vector<ElementParameters> elements_;
   std::vector<double> arc_length_;
   double force_scale_ = 0.0;
+  double largest_stiffness_ = 0.0;
 };
 
 /// What is violated when `elements` is used as a number of elements, or nothing.
