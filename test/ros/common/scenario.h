@@ -55,8 +55,11 @@ class Scenario
       if (vehicle_alive)
         vehicle_.publish(pose(vehicle_position, frame));
       ros::WallDuration(0.004).sleep();  // poses travel on other sockets than the clock
+      // The state and the word travel on two sockets: wait for both of this tick.
+      const int words = over_tension_count;
       setClock();
-      waitFor([this] { return std::abs(state.header.stamp.toSec() - time) < 1e-3; }, 0.25);
+      waitFor([&] { return std::abs(state.header.stamp.toSec() - time) < 1e-3 && over_tension_count > words; },
+              0.25);
     }
   }
 
