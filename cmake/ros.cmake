@@ -53,7 +53,5 @@ catkin_install_python(PROGRAMS scripts/demo_watch.py DESTINATION ${CATKIN_PACKAG
 if(CATKIN_ENABLE_TESTING)
   enable_testing()
   include(cmake/core_tests.cmake)
-  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/test/ros/nominal_bag_test.cpp)
   include(cmake/ros_tests.cmake)
-  endif()
 endif()

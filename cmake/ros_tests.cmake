@@ -6,6 +6,7 @@ roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
 catkin_add_gtest(ros_test test/main.cpp test/ros/unit/conversions_test.cpp TIMEOUT 120)
 target_link_libraries(ros_test tether_monitor_ros)
+target_include_directories(ros_test PRIVATE test)
 
 foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown)
   add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)

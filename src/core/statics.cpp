@@ -112,8 +112,8 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   while (iterations_left > 0)
   {
     start_ = q_;
-    const double before = tau;
-    const SolveReport report = flow(model, ends, tau, iterations_left);
+    const bool is_newton = tau >= NEWTON_TAU * tau_0;
+    const SolveReport report = flow(model, ends, is_newton ? 0.0 : 1.0 / tau, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;
     total.status = report.status;
@@ -121,13 +121,13 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
     {
       ++total.rejected;
       q_ = start_;
-      tau = 0.2 * before;
+      tau *= 0.2;
       if (tau < 1e-9 * tau_0)
         return total;
       continue;
     }
     ++total.steps;
-    if (before >= NEWTON_TAU * tau_0)
+    if (is_newton)
     {
       if (isFolded(model, q_))
         total.status = SolveStatus::FALSE_BRANCH;
@@ -135,7 +135,7 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
         shape = q_;
       return total;
     }
-    tau = before * (report.iterations <= 4 ? 4.0 : 1.5);
+    tau *= report.iterations <= 4 ? 4.0 : 1.5;
   }
   total.status = SolveStatus::BUDGET_SPENT;
   return total;
@@ -161,12 +161,11 @@ ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, 
   return holdEnds(model, q_, newton, heldEnds(ends), residual_);
 }
 
-SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, double tau, int& iterations_left)
+SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left)
 {
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
-  const double scale =
-      tau >= NEWTON_TAU * FIRST_MOVE * model.length() * model.length() / model.forceScale() ? 0.0 : 1.0 / tau;
+
   // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
   NewtonOptions newton = options_.newton;
   if (scale > 0.0)

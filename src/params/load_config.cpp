@@ -102,19 +102,24 @@ void loadTether(Reader in, monitor::Config& config)
   in.finish();
 }
 
-monitor::BodyConfig loadBody(Reader in)
+monitor::BodyConfig loadBody(Reader& in)
 {
   monitor::BodyConfig body;
   body.attachment = in.vector("attachment", body.attachment);
   body.frame = in.text("frame", body.frame);
+  return body;
+}
+
+monitor::BodyConfig loadVessel(Reader in)
+{
+  const monitor::BodyConfig body = loadBody(in);
   in.finish();
   return body;
 }
 
 void loadVehicle(Reader in, monitor::Config& config)
 {
-  config.vehicle.attachment = in.vector("attachment", config.vehicle.attachment);
-  config.vehicle.frame = in.text("frame", config.vehicle.frame);
+  config.vehicle = loadBody(in);
   const std::string mode = in.text("mode", "tracked");
   if (mode == "free")
   {
@@ -184,7 +189,7 @@ monitor::Config loadConfig(const Value& tree, const std::string& where)
   config.world_frame = in.text("world_frame", config.world_frame);
   config.environment = loadEnvironment(in.child("environment"));
   loadTether(in.child("tether"), config);
-  config.vessel = loadBody(in.child("vessel"));
+  config.vessel = loadVessel(in.child("vessel"));
   loadVehicle(in.child("vehicle"), config);
   config.solver = loadSolver(in.child("solver"));
   loadMonitor(in.child("monitor"), config);

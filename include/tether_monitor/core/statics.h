@@ -17,15 +17,15 @@ struct SteadyEnds
   Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
   Vector3 vehicle = Vector3::Zero();   ///< position of the vehicle end [m].
   Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
-  std::optional<EndBody> body =
-      std::nullopt;  ///< hangs at the vehicle end, which then is free and finds its own position.
+  /// Hangs at the vehicle end, which then is free and finds its own position.
+  std::optional<EndBody> body = std::nullopt;
 };
 
 /// Bounds of the search for a steady state.
 struct StaticsOptions
 {
-  int max_iterations =
-      1000;  ///< Newton iterations of one search, >= 1; a failed search is repeated by way of a stiffer tether.
+  /// Newton iterations of one search, >= 1; a failed search is repeated by way of a stiffer tether.
+  int max_iterations = 1000;
   NewtonOptions newton{1e-8, 30};
 };
 
@@ -53,7 +53,8 @@ class Statics
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
  private:
-  SolveReport flow(const CableModel& model, const SteadyEnds& ends, double tau, int& iterations_left);
+  // One backward Euler step from start_; scale is 1 / dtau, 0 for Newton's method on R = 0.
+  SolveReport flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left);
   ResidualSize assemble(const CableModel& model, const SteadyEnds& ends, double scale,
                         const NewtonOptions& newton);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "monitor/support.h"
 #include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/measurement_intake.h"
 
@@ -9,13 +10,7 @@ namespace tether_monitor
 {
 monitor::Config config()
 {
-  monitor::Config c;
-  c.tether.length = 100.0;
-  c.tether.diameter = 0.012;
-  c.tether.mass_per_length = 0.2;
-  c.tether.axial_stiffness = 1.0e6;
-  c.tether.working_load = 1000.0;
-  c.tether.breaking_load = 5000.0;
+  monitor::Config c = monitor::testConfig();
   c.elements = 10;
   return c;
 }
