@@ -113,4 +113,9 @@ std::vector<double> meshNodes(double length, int elements, const CableFittings& 
   return nodes;
 }
 
+double firstFixedPoint(double length, const CableFittings& fittings)
+{
+  return breaks(length, fittings)[1].s;
+}
+
 }  // namespace tether_monitor::core

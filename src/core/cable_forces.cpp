@@ -39,8 +39,8 @@ void spreadStrain(std::vector<double>& strain)
 
 EndForces endForces(const CableModel& model, const CableState& state)
 {
-  const ElementCoords first = model.elementResidualOf(0, state.q, state.v, state.a);
-  const ElementCoords last = model.elementResidualOf(model.elements() - 1, state.q, state.v, state.a);
+  const ElementCoords first = model.elementResidualOf(0, state);
+  const ElementCoords last = model.elementResidualOf(model.elements() - 1, state);
   return {-first.segment<3>(0), -last.segment<3>(6)};  // (M13)
 }
 
@@ -65,7 +65,7 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
   {
     const double l = model.element(i).length;
     const ElementCoords q = elementCoords(state.q, i);
-    const ElementCoords force = model.elementResidualOf(i, state.q, state.v, state.a);
+    const ElementCoords force = model.elementResidualOf(i, state);
     const Vector3 ta = direction(state.q[i]);
     const Vector3 tb = direction(state.q[i + 1]);
 
@@ -99,7 +99,7 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
     for (const GaussPoint& point : GAUSS_POINTS)
       stretch += point.weight * interpolate(shapeSlopes(point.xi, l), q).norm();
     field.stretched_length += l * stretch;
-    field.strain[2 * i + 1] = stretch - 1.0;
+    field.strain[2 * i + 1] = stretch / model.element(i).natural_stretch - 1.0;
     field.largest_turn = std::max(field.largest_turn, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
     if (i == 0)
       field.ends.vessel = -force.segment<3>(0);

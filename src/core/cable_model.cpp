@@ -30,10 +30,17 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   e.drag_normal = p.drag_normal;
   e.drag_tangential = p.drag_tangential;
   e.added_mass = p.added_mass_normal;
+  e.compression = p.hydrostatic_compression;
+  e.natural_stretch = 1.0 + p.permanent_elongation;
   e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.residual};
   e.mass_matrix = massMatrix(length) * e.mass;
   setBending(small.bending_stiffness, e);
   return e;
+}
+
+ElementMotion elementMotion(const CableState& state, int i)
+{
+  return {elementCoords(state.q, i), elementCoords(state.v, i), elementCoords(state.a, i), state.time};
 }
 }  // namespace
 
@@ -60,8 +67,8 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
   : properties_(properties), sea_(sea)
 {
   std::vector<std::string> faults = problems(properties);
-  for (const auto& more : {problems(sea), problems(fittings, properties.length),
-                           elementCountProblems(elements, properties.length, fittings)})
+  for (const auto& more :
+       {problems(fittings, properties.length), elementCountProblems(elements, properties.length, fittings)})
     faults.insert(faults.end(), more.begin(), more.end());
   throwIfAny("tether model", faults);
 
@@ -72,7 +79,7 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
     kinds_.back().length = properties.length;
   }
   arc_length_ = meshNodes(properties.length, elements, fittings);
-  double mass = 0.0;
+  const double grows_to = firstFixedPoint(properties.length, fittings);
   for (int i = 0; i < elements; ++i)
   {
     const double length = arc_length_[i + 1] - arc_length_[i];
@@ -82,9 +89,10 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
       if (middle > fittings.sections[k].from && middle < fittings.sections[k].to)
         kind_.back() = static_cast<int>(k) + 1;
     elements_.push_back(elementParameters(kinds_[kind_.back()], length, sea.gravity));
-    mass += length * elements_.back().mass;
-    largest_stiffness_ = std::max(largest_stiffness_, elements_.back().axial.stiffness / length);
+    if (middle < grows_to)
+      growing_share_.push_back(length / grows_to);
   }
+  fixed_length_ = properties.length - grows_to;
   for (const Attachment& attachment : fittings.attachments)
   {
     const auto nearest = std::min_element(arc_length_.begin(), arc_length_.end(),
@@ -92,9 +100,82 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
                                           { return std::abs(x - attachment.s) < std::abs(y - attachment.s); });
     point_loads_.push_back({static_cast<int>(nearest - arc_length_.begin()), attachment.mass, attachment.volume,
                             attachment.drag_area});
-    mass += attachment.mass;
   }
+  updateScales();
+}
+
+void CableModel::updateScales()
+{
+  double mass = 0.0;
+  largest_stiffness_ = 0.0;
+  for (const ElementParameters& e : elements_)
+  {
+    mass += e.length * e.mass;
+    largest_stiffness_ = std::max(largest_stiffness_, e.axial.stiffness / e.length);
+  }
+  for (const PointLoad& load : point_loads_)
+    mass += load.mass;
+  mass_ = mass;
   force_scale_ = 9.81 * std::max(1.0, mass);
+}
+
+void CableModel::setBodies(const EndBodies& bodies)
+{
+  std::vector<std::string> faults;
+  if (bodies.vessel)
+    faults = problems(*bodies.vessel, "vessel.");
+  if (bodies.vehicle)
+    for (const std::string& fault : problems(*bodies.vehicle, "vehicle."))
+      faults.push_back(fault);
+  throwIfAny("bodies at the tether's ends", faults);
+  bodies_ = bodies;
+}
+
+void CableModel::setDragFactor(int i, double factor)
+{
+  elements_[i].drag_normal = propertiesOf(i).drag_normal * factor;
+}
+
+bool CableModel::canPayTo(double length) const
+{
+  const double growing = length - fixed_length_;
+  const double regular = properties_.length / elements();
+  return std::isfinite(length) && growing > 0.05 * regular * growing_share_.size();
+}
+
+void CableModel::setPayout(const PayoutMotion& payout)
+{
+  const double growing = payout.length - fixed_length_;
+  for (CableProperties& kind : kinds_)
+    kind.length = payout.length;
+  double covered = 0.0;  // share of the growing piece before an element
+  const double change = payout.length - length();
+  for (int i = 0; i < elements(); ++i)
+  {
+    if (i >= static_cast<int>(growing_share_.size()))
+    {
+      arc_length_[i + 1] += change;
+      continue;
+    }
+    ElementParameters& e = elements_[i];
+    const double share = growing_share_[i];
+    const double drag = e.drag_normal;
+    e = elementParameters(propertiesOf(i), share * growing, sea_.gravity());
+    e.drag_normal = drag;
+    ElementFlow& flow = e.flow;
+    flow.active = payout.rate != 0.0 || payout.acceleration != 0.0;
+    flow.growth = payout.rate / growing;
+    flow.acceleration = payout.acceleration / growing;
+    flow.speed_a = payout.rate * (1.0 - covered);
+    flow.rate_a = payout.acceleration * (1.0 - covered);
+    covered += share;
+    flow.speed_b = payout.rate * (1.0 - covered);
+    flow.rate_b = payout.acceleration * (1.0 - covered);
+    arc_length_[i + 1] = arc_length_[i] + e.length;
+  }
+  arc_length_.back() = payout.length;
+  properties_.length = payout.length;
+  updateScales();
 }
 
 CableModel CableModel::stiffened(double floor) const
@@ -109,23 +190,27 @@ CableModel CableModel::stiffened(double floor) const
   return copy;
 }
 
-void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeField& a, NodeField& residual) const
+void CableModel::assemble(const CableState& state, NodeField& residual) const
 {
   for (NodeCoords& row : residual)
     row.setZero();
+  ElementCoords r;
   for (int i = 0; i < elements(); ++i)
   {
-    const ElementCoords r = elementResidualOf(i, q, v, a);
+    elementResidual(elements_[i], sea_, elementMotion(state, i), r);
     residual[i] += r.head<6>();
     residual[i + 1] += r.tail<6>();
   }
   for (const PointLoad& load : point_loads_)
-    residual[load.node].head<3>() += pointLoadResidual(load, sea_, q[load.node].head<3>(), v[load.node].head<3>(),
-                                                       a[load.node].head<3>(), TangentWeights{}, nullptr);
+    residual[load.node].head<3>() +=
+        pointLoadResidual(load, sea_, state.time, state.q[load.node].head<3>(), state.v[load.node].head<3>(),
+                          state.a[load.node].head<3>(), TangentWeights{}, nullptr);
+  if (hasContact())
+    addContact(*this, state, TangentWeights{}, residual, nullptr, nullptr);
 }
 
-void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeField& a,
-                          const TangentWeights& weights, NodeField& residual, BlockTridiagonal& tangent) const
+void CableModel::assemble(const CableState& state, const TangentWeights& weights, NodeField& residual,
+                          BlockTridiagonal& tangent, ObstacleBorder* border) const
 {
   for (NodeCoords& row : residual)
     row.setZero();
@@ -134,8 +219,7 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
   ElementMatrix J;
   for (int i = 0; i < elements(); ++i)
   {
-    const ElementMotion motion{elementCoords(q, i), elementCoords(v, i), elementCoords(a, i)};
-    elementResidual(elements_[i], sea_, motion, weights, r, J);
+    elementResidual(elements_[i], sea_, elementMotion(state, i), weights, r, J);
     residual[i] += r.head<6>();
     residual[i + 1] += r.tail<6>();
     tangent.addElement(i, J);
@@ -143,18 +227,21 @@ void CableModel::assemble(const NodeField& q, const NodeField& v, const NodeFiel
   Matrix3 block;
   for (const PointLoad& load : point_loads_)
   {
-    residual[load.node].head<3>() += pointLoadResidual(load, sea_, q[load.node].head<3>(), v[load.node].head<3>(),
-                                                       a[load.node].head<3>(), weights, &block);
+    residual[load.node].head<3>() +=
+        pointLoadResidual(load, sea_, state.time, state.q[load.node].head<3>(), state.v[load.node].head<3>(),
+                          state.a[load.node].head<3>(), weights, &block);
     tangent.diagonal(load.node).topLeftCorner<3, 3>() += block;
   }
+  if (hasContact())
+    addContact(*this, state, weights, residual, &tangent, border);
 }
 
-ElementCoords CableModel::elementResidualOf(int i, const NodeField& q, const NodeField& v,
-                                            const NodeField& a) const
+ElementCoords CableModel::elementResidualOf(int i, const CableState& state) const
 {
-  const ElementMotion motion{elementCoords(q, i), elementCoords(v, i), elementCoords(a, i)};
   ElementCoords r;
-  elementResidual(elements_[i], sea_, motion, r);
+  elementResidual(elements_[i], sea_, elementMotion(state, i), r);
+  if (hasContact())
+    r += elementContact(*this, i, state);
   return r;
 }
 
@@ -163,7 +250,7 @@ ElementEnergy CableModel::energy(const NodeField& q, const NodeField& v) const
   ElementEnergy sum{0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < elements(); ++i)
   {
-    const ElementEnergy e = elementEnergy(elements_[i], sea_.gravity, elementCoords(q, i), elementCoords(v, i));
+    const ElementEnergy e = elementEnergy(elements_[i], sea_.gravity(), elementCoords(q, i), elementCoords(v, i));
     sum.axial += e.axial;
     sum.bending += e.bending;
     sum.kinetic += e.kinetic;

@@ -9,7 +9,17 @@ std::vector<std::string> problems(const Environment& environment)
   BoundsCheck check("environment.");
   check.notNegative("water_density", environment.water_density, "kg/m^3");
   check.notNegative("gravity", environment.gravity, "m/s^2");
-  return check.problems();
+  check.finite("wind (norm)", environment.wind.norm(), "m/s");
+  check.require(environment.waves.amplitude == 0.0 || environment.gravity > 0.0, "gravity", environment.gravity,
+                "> 0 m/s^2 where there are waves");
+  std::vector<std::string> found = check.problems();
+  const auto add = [&](const std::vector<std::string>& more) { found.insert(found.end(), more.begin(), more.end()); };
+  add(problems(environment.waves));
+  if (environment.seabed)
+    add(problems(*environment.seabed));
+  for (std::size_t i = 0; i < environment.obstacles.size(); ++i)
+    add(problems(environment.obstacles[i], "environment.obstacles[" + std::to_string(i) + "]."));
+  return found;
 }
 
 }  // namespace tether_monitor::core

@@ -19,10 +19,14 @@ double roundOff(const CableModel& model, const NodeField& q)
 }
 }  // namespace
 
-ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
-                      const HeldEnds& held, NodeField& residual)
+HeldEnds heldEnds(const CableModel& model)
 {
-  double reaction = 0.0;
+  return {!model.bodies().vessel, !model.bodies().vehicle};
+}
+
+ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
+                      const HeldEnds& held, NodeField& residual, double reaction)
+{
   const auto hold = [&](NodeCoords& row)
   {
     reaction = std::max(reaction, row.head<3>().norm());

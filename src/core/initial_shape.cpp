@@ -36,21 +36,21 @@ Vector3 anyNormal(const Vector3& direction)
 }
 
 // Weight and drag per metre on a tether element at place r with direction t.
-Vector3 loadAt(const ElementParameters& e, const Environment& sea, const Vector3& r, const Vector3& t,
+Vector3 loadAt(const ElementParameters& e, const Sea& sea, const Vector3& r, const Vector3& t,
                const Vector3& velocity)
 {
   const double share = r.z() < 0.0 ? 1.0 : 0.0;
-  const double half_rho_d = 0.5 * sea.water_density * e.diameter * share;
+  const double half_rho_d = 0.5 * sea.density() * e.diameter * share;
   Vector3 load = -morisonDragForce(half_rho_d * e.drag_normal, half_rho_d * e.drag_tangential,
-                                   velocity - sea.waterVelocity(r), t);
-  load.z() -= sea.gravity * (e.mass - sea.water_density * e.area * share);
+                                   velocity - sea.waterAt(r, 0.0).velocity, t);
+  load.z() -= sea.gravity() * (e.mass - sea.density() * e.area * share);
   return load;
 }
 
 // The same on a straight tether along the chord, averaged over its depth.
 Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity)
 {
-  const Environment& sea = model.environment();
+  const Sea& sea = model.sea();
   Vector3 load = Vector3::Zero();
   constexpr int SAMPLES = 8;
   for (int i = 0; i < SAMPLES; ++i)
@@ -61,7 +61,7 @@ Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& v
   load /= SAMPLES;
   for (const PointLoad& point : model.pointLoads())
     load -=
-        pointLoadResidual(point, sea, vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel),
+        pointLoadResidual(point, sea, 0.0, vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel),
                           velocity, Vector3::Zero(), TangentWeights{}, nullptr) /
         model.length();
   return load;
@@ -129,7 +129,7 @@ NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vec
 }
 
 NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vector3& velocity,
-                       const EndBody& body)
+                       const RigidBody& body)
 {
   constexpr int PASSES = 4;
   constexpr int PARTS = 10;  // of an element
@@ -142,22 +142,22 @@ NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vec
   };
   for (int pass = 0; pass < PASSES; ++pass)
   {
-    Vector3 n = steadyForce(body, model.environment(), body_position, velocity);
+    Vector3 n = steadyForce(body, model.sea(), body_position, velocity);
     Vector3 r = body_position;
     for (int i = N; i >= 0; --i)
     {
       const ElementParameters& e = model.element(std::max(i - 1, 0));
       for (const PointLoad& load : model.pointLoads())
         if (load.node == i)
-          n -= pointLoadResidual(load, model.environment(), r, velocity, Vector3::Zero(), TangentWeights{},
+          n -= pointLoadResidual(load, model.sea(), 0.0, r, velocity, Vector3::Zero(), TangentWeights{},
                                  nullptr);
       shape[i] << r, (1.0 + n.norm() / e.axial.stiffness) * direction(n);
       for (int part = 0; part < PARTS && i > 0; ++part)
       {
         const double ds = e.length / PARTS;
-        const Vector3 middle = n + 0.5 * ds * loadAt(e, model.environment(), r, direction(n), velocity);
+        const Vector3 middle = n + 0.5 * ds * loadAt(e, model.sea(), r, direction(n), velocity);
         const Vector3 t = direction(middle);
-        n += ds * loadAt(e, model.environment(), r - 0.5 * ds * t, t, velocity);
+        n += ds * loadAt(e, model.sea(), r - 0.5 * ds * t, t, velocity);
         r -= ds * (1.0 + middle.norm() / e.axial.stiffness) * t;
       }
     }

@@ -1,15 +1,32 @@
 #include "tether_monitor/core/integrator.h"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "tether_monitor/core/bounds.h"
-#include "tether_monitor/core/held_ends.h"
 
 namespace tether_monitor::core
 {
-GeneralizedAlpha::GeneralizedAlpha(int nodes, double spectral_radius, const NewtonOptions& options)
-  : options_(options), residual_(nodes, NodeCoords::Zero()), tangent_(nodes)
+namespace
+{
+Eigen::Quaterniond rotationBy(const Vector3& turn)
+{
+  const double angle = turn.norm();
+  const double sine = angle > 1e-8 ? std::sin(0.5 * angle) / angle : 0.5;
+  Eigen::Quaterniond q(std::cos(0.5 * angle), sine * turn.x(), sine * turn.y(), sine * turn.z());
+  return q;
+}
+
+AttachmentMotion motionOf(const CableState& state, std::size_t node)
+{
+  return {state.q[node].head<3>(), state.v[node].head<3>(), state.a[node].head<3>()};
+}
+}  // namespace
+
+GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radius, const NewtonOptions& options)
+  : options_(options), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())
 {
   BoundsCheck check;
   check.within("spectral_radius", spectral_radius, 0.0, 1.0, "[-]");
@@ -20,9 +37,25 @@ GeneralizedAlpha::GeneralizedAlpha(int nodes, double spectral_radius, const Newt
   gamma_ = 0.5 - alpha_m_ + alpha_f_;
   beta_ = 0.25 * (1.0 + alpha_f_ - alpha_m_) * (1.0 + alpha_f_ - alpha_m_);
   trial_ = CableState(0.0, residual_, Vector3::Zero());
+  prepareObstacles(model);
 }
 
-void GeneralizedAlpha::placeEnds(const EndPaths& ends)
+void GeneralizedAlpha::prepareObstacles(const CableModel& model)
+{
+  const std::vector<Obstacle>& obstacles = model.environment().obstacles;
+  std::vector<bool> has_mass;
+  pushed_.clear();
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+  {
+    has_mass.push_back(obstacles[k].mass > 0.0);
+    if (has_mass.back())
+      pushed_.push_back(static_cast<int>(k));
+  }
+  border_ = pushed_.empty() ? ObstacleBorder() : ObstacleBorder(has_mass, model.nodes());
+  beginContact(model, trial_);
+}
+
+void GeneralizedAlpha::placeEnds(const CableModel& model, const EndPaths& ends)
 {
   const double t = trial_.time;
   const auto place = [&](const EndPath& path, std::size_t node)
@@ -31,40 +64,166 @@ void GeneralizedAlpha::placeEnds(const EndPaths& ends)
     trial_.v[node].head<3>() = path.velocity(t);
     trial_.a[node].head<3>() = path.acceleration(t);
   };
-  place(ends.vessel, 0);
-  place(ends.vehicle, trial_.q.size() - 1);
+  const HeldEnds held = heldEnds(model);
+  if (held.vessel)
+    place(ends.vessel, 0);
+  if (held.vehicle)
+    place(ends.vehicle, trial_.q.size() - 1);
 }
 
-SolveReport GeneralizedAlpha::step(const CableModel& model, const EndPaths& ends, double h, CableState& state)
+void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, double h, const CableState& state)
 {
-  const std::size_t n = state.q.size();
-  const double scale = (1.0 - alpha_f_) / (1.0 - alpha_m_);
-  const TangentWeights weights{1.0, gamma_ * h * scale, beta_ * h * h * scale};
-
-  // Predictor: the acceleration stays; (M12) gives the coordinates.
+  // The acceleration stays; (M12) gives the coordinates.
   trial_.time = state.time + h;
   trial_.step = h;
-  for (std::size_t i = 0; i < n; ++i)
+  const auto aux = [&](const auto& a, const auto& b) { return ((a - alpha_m_ * b) / (1.0 - alpha_m_)).eval(); };
+  for (std::size_t i = 0; i < state.q.size(); ++i)
   {
     trial_.a[i] = state.a[i];
-    trial_.aux[i] = (state.a[i] - alpha_m_ * state.aux[i]) / (1.0 - alpha_m_);
+    trial_.aux[i] = aux(state.a[i], state.aux[i]);
     trial_.v[i] = state.v[i] + h * ((1.0 - gamma_) * state.aux[i] + gamma_ * trial_.aux[i]);
     trial_.q[i] = state.q[i] + h * state.v[i] + h * h * ((0.5 - beta_) * state.aux[i] + beta_ * trial_.aux[i]);
   }
-  placeEnds(ends);
+  const auto rotate = [&](const Rotation& from, Rotation& to, Turning& turning)
+  {
+    to.acceleration = from.acceleration;
+    to.aux = aux(from.acceleration, from.aux);
+    to.velocity = from.velocity + h * ((1.0 - gamma_) * from.aux + gamma_ * to.aux);
+    turning.turn = h * from.velocity + h * h * ((0.5 - beta_) * from.aux + beta_ * to.aux);
+    to.orientation = from.orientation * rotationBy(turning.turn);
+  };
+  if (model.bodies().vessel)
+    rotate(state.vessel, trial_.vessel, vessel_);
+  if (model.bodies().vehicle)
+    rotate(state.vehicle, trial_.vehicle, vehicle_);
+  trial_.obstacles = state.obstacles;
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.position += h * obstacle.velocity;
+  for (const int k : pushed_)
+  {
+    const ObstacleMotion& from = state.obstacles[k];
+    ObstacleMotion& to = trial_.obstacles[k];
+    to.aux = aux(from.acceleration, from.aux);
+    to.velocity = from.velocity + h * ((1.0 - gamma_) * from.aux + gamma_ * to.aux);
+    to.position = from.position + h * from.velocity + h * h * ((0.5 - beta_) * from.aux + beta_ * to.aux);
+  }
+  trial_.contact = state.contact;
+  placeEnds(model, ends);
+}
+
+ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths& ends, const TangentWeights& weights)
+{
+  ObstacleBorder* border = pushed_.empty() ? nullptr : &border_;
+  if (border)
+    border->setZero();
+  model.assemble(trial_, weights, residual_, tangent_, border);
+
+  double reaction = 0.0, unbalanced = 0.0;
+  const auto couple = [&](const RigidBody& body, std::size_t node, const Rotation& rotation, const Wrench& thrust,
+                          Turning& turning)
+  {
+    reaction = std::max({reaction, residual_[node].head<3>().norm(), 1e-3 * 9.81 * body.mass});
+
+    const double open = turning.coupling.assemble(body, model.sea(), trial_.time, motionOf(trial_, node), rotation,
+                                                  thrust, weights, residual_[node],
+                                                  tangent_.diagonal(static_cast<int>(node)));
+    unbalanced = std::max(unbalanced, open);
+  };
+  if (model.bodies().vessel)
+    couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
+  if (model.bodies().vehicle)
+    couple(*model.bodies().vehicle, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  for (const int k : pushed_)
+  {
+    const double mass = model.environment().obstacles[k].mass;
+    border_.residual(k) += mass * trial_.obstacles[k].acceleration;
+    border_.diagonal(k) += weights.mass * mass * Matrix3::Identity();
+    unbalanced = std::max(unbalanced, border_.residual(k).norm());
+  }
+  const HeldEnds held = heldEnds(model);
+  ResidualSize size = holdEnds(model, trial_.q, options_, held, residual_, reaction);
+  if (!(unbalanced <= size.largest))
+    size.largest = unbalanced;
+  if (model.bodies().vessel)
+    vessel_.coupling.condense(residual_.front());
+  if (model.bodies().vehicle)
+    vehicle_.coupling.condense(residual_.back());
+  holdEnds(held, tangent_);
+  for (const int k : pushed_)
+  {
+    if (held.vessel)
+      border_.column(k, 0).topRows<3>().setZero();
+    if (held.vehicle)
+      border_.column(k, model.elements()).topRows<3>().setZero();
+  }
+  return size;
+}
+
+bool GeneralizedAlpha::solve()
+{
+  if (pushed_.empty())
+    return tangent_.solve(residual_);
+  return border_.solve(tangent_, residual_);
+}
+
+void GeneralizedAlpha::correct(const CableModel& model, const TangentWeights& weights, double scale,
+                               const CableState& state)
+{
+  for (std::size_t i = 0; i < residual_.size(); ++i)
+  {
+    trial_.a[i] -= residual_[i];
+    trial_.aux[i] -= scale * residual_[i];
+    trial_.v[i] -= weights.damping * residual_[i];
+    trial_.q[i] -= weights.stiffness * residual_[i];
+  }
+  const auto rotate = [&](const Rotation& from, Rotation& to, Turning& turning, const NodeCoords& node)
+  {
+    const Vector3 delta = turning.coupling.solve(node);
+    to.acceleration -= delta;
+    to.aux -= scale * delta;
+    to.velocity -= weights.damping * delta;
+    turning.turn -= weights.stiffness * delta;
+    to.orientation = from.orientation * rotationBy(turning.turn);
+  };
+  if (model.bodies().vessel)
+    rotate(state.vessel, trial_.vessel, vessel_, residual_.front());
+  if (model.bodies().vehicle)
+    rotate(state.vehicle, trial_.vehicle, vehicle_, residual_.back());
+  for (const int k : pushed_)
+  {
+    ObstacleMotion& to = trial_.obstacles[k];
+    const Vector3 delta = border_.solution(k);
+    to.acceleration -= delta;
+    to.aux -= scale * delta;
+    to.velocity -= weights.damping * delta;
+    to.position -= weights.stiffness * delta;
+  }
+}
+
+SolveReport GeneralizedAlpha::step(CableModel& model, const EndPaths& ends, double h, CableState& state)
+{
+  const double scale = (1.0 - alpha_f_) / (1.0 - alpha_m_);
+  const TangentWeights weights{1.0, gamma_ * h * scale, beta_ * h * h * scale};
+  if (ends.payout)
+    model.setPayout(ends.payout->at(state.time + h));
+  if (state.obstacles.size() != model.environment().obstacles.size())
+    beginContact(model, state);
+  predict(model, ends, h, state);
 
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
   double previous = 0.0;
   for (int k = 0;; ++k)
   {
-    model.assemble(trial_.q, trial_.v, trial_.a, weights, residual_, tangent_);
-    const ResidualSize size = holdEnds(model, trial_.q, options_, HeldEnds(), residual_);
+    const ResidualSize size = assemble(model, ends, weights);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
       report.status = SolveStatus::CONVERGED;
       report.steps = 1;
+      trial_.vessel.orientation.normalize();
+      trial_.vehicle.orientation.normalize();
+      acceptContact(model, trial_);
       std::swap(state, trial_);
       return report;
     }
@@ -72,43 +231,42 @@ SolveReport GeneralizedAlpha::step(const CableModel& model, const EndPaths& ends
     if (k == options_.max_iterations || diverging)
       return report;
     previous = size.largest;
-    holdEnds(HeldEnds(), tangent_);
     ++report.iterations;
-    if (!std::isfinite(size.largest) || !tangent_.solve(residual_))
+    if (!std::isfinite(size.largest) || !solve())
     {
       report.status = SolveStatus::SINGULAR;
       return report;
     }
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      trial_.a[i] -= residual_[i];
-      trial_.aux[i] -= scale * residual_[i];
-      trial_.v[i] -= weights.damping * residual_[i];
-      trial_.q[i] -= weights.stiffness * residual_[i];
-    }
+    correct(model, weights, scale, state);
   }
 }
 
-SolveReport GeneralizedAlpha::initialiseAcceleration(const CableModel& model, const EndPaths& ends,
-                                                     CableState& state)
+SolveReport GeneralizedAlpha::initialiseAcceleration(CableModel& model, const EndPaths& ends, CableState& state)
 {
   SolveReport report;
+  if (ends.payout)
+    model.setPayout(ends.payout->at(state.time));
   trial_ = state;
   for (NodeCoords& a : trial_.a)
     a.setZero();
-  placeEnds(ends);
-  model.assemble(trial_.q, trial_.v, trial_.a, TangentWeights{1.0, 0.0, 0.0}, residual_, tangent_);
-  report.residual = holdEnds(model, trial_.q, options_, HeldEnds(), residual_).largest;
-  holdEnds(HeldEnds(), tangent_);
+  for (Rotation* rotation : {&trial_.vessel, &trial_.vehicle})
+    rotation->acceleration.setZero();
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.acceleration.setZero();
+  placeEnds(model, ends);
+  report.residual = assemble(model, ends, TangentWeights{1.0, 0.0, 0.0}).largest;
   report.iterations = 1;
-  if (!std::isfinite(report.residual) || !tangent_.solve(residual_))
+  if (!std::isfinite(report.residual) || !solve())
   {
     report.status = SolveStatus::SINGULAR;
     return report;
   }
-  for (std::size_t i = 0; i < trial_.a.size(); ++i)
-    trial_.a[i] -= residual_[i];
+  correct(model, TangentWeights{1.0, 0.0, 0.0}, 0.0, state);
   trial_.aux = trial_.a;
+  for (Rotation* rotation : {&trial_.vessel, &trial_.vehicle})
+    rotation->aux = rotation->acceleration;
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.aux = obstacle.acceleration;
   std::swap(state, trial_);
   return report;
 }

@@ -54,25 +54,32 @@ bool isFolded(const CableModel& model, const NodeField& q)
   return false;
 }
 
-HeldEnds heldEnds(const SteadyEnds& ends)
+// A steady state has the vessel end on its place; a body at the vehicle end is free.
+HeldEnds steadyHeld(const CableModel& model)
 {
-  return {true, !ends.body};
+  return {true, !model.bodies().vehicle};
 }
 
 NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
 {
-  return ends.body ? hangingShape(model, ends.vessel, ends.velocity, *ends.body)
-                   : initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+  return model.bodies().vehicle ? hangingShape(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
+                                : initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
 }
 }  // namespace
 
 Statics::Statics(int nodes, const StaticsOptions& options)
-  : options_(options), q_(nodes, NodeCoords::Zero()), start_(q_), v_(q_), a_(q_), residual_(q_), tangent_(nodes)
+  : options_(options), start_(nodes, NodeCoords::Zero()), residual_(start_), tangent_(nodes)
 {
 }
 
 SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
+  if (!model.sea().wave().isCalm())
+  {
+    CableModel calm = model;
+    calm.sea().calm();
+    return solve(calm, ends, shape);
+  }
   NodeField found = startingShape(model, ends);
   SolveReport report = solveFrom(model, ends, found);
   if (!report.converged())
@@ -95,15 +102,13 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
 SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
   SolveReport total;
-  q_ = shape;
-  q_.front().head<3>() = ends.vessel;
-  if (!ends.body)
-    q_.back().head<3>() = ends.vehicle;
-  for (NodeCoords& rate : v_)
-  {
-    rate.setZero();
-    rate.head<3>() = ends.velocity;
-  }
+  trial_ = CableState(0.0, shape, ends.velocity);
+  NodeField& q = trial_.q;
+  q.front().head<3>() = ends.vessel;
+  if (!model.bodies().vehicle)
+    q.back().head<3>() = ends.vehicle;
+  beginContact(model, trial_);
+  trial_.contact.steady = true;
 
   // First step: the mean load per metre moves a free tether by FIRST_MOVE of its length.
   const double tau_0 = FIRST_MOVE * model.length() / (model.forceScale() / model.length());
@@ -111,7 +116,7 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   int iterations_left = options_.max_iterations;
   while (iterations_left > 0)
   {
-    start_ = q_;
+    start_ = q;
     const bool is_newton = tau >= NEWTON_TAU * tau_0;
     const SolveReport report = flow(model, ends, is_newton ? 0.0 : 1.0 / tau, iterations_left);
     total.iterations += report.iterations;
@@ -120,7 +125,7 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
     if (!report.converged())
     {
       ++total.rejected;
-      q_ = start_;
+      q = start_;
       tau *= 0.2;
       if (tau < 1e-9 * tau_0)
         return total;
@@ -129,10 +134,10 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
     ++total.steps;
     if (is_newton)
     {
-      if (isFolded(model, q_))
+      if (isFolded(model, q))
         total.status = SolveStatus::FALSE_BRANCH;
       else
-        shape = q_;
+        shape = q;
       return total;
     }
     tau *= report.iterations <= 4 ? 4.0 : 1.5;
@@ -144,21 +149,20 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
 ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, double scale,
                                const NewtonOptions& newton)
 {
-  model.assemble(q_, v_, a_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
+  model.assemble(trial_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
   addMetric(model, scale, tangent_);
-  addMetricForce(model, scale, q_, start_, residual_);
-  if (ends.body)
+  addMetricForce(model, scale, trial_.q, start_, residual_);
+  double reaction = 0.0;
+  if (model.bodies().vehicle)
   {
-    const Vector3 at = q_.back().head<3>();
-    const double h = 1e-4 * (1.0 + at.norm());
-    residual_.back().head<3>() -= steadyForce(*ends.body, model.environment(), at, ends.velocity);
-    const Vector3 up = h * Vector3::UnitZ();
-    tangent_.diagonal(model.elements()).block<3, 1>(0, 2) -=
-        (steadyForce(*ends.body, model.environment(), at + up, ends.velocity) -
-         steadyForce(*ends.body, model.environment(), at - up, ends.velocity)) /
-        (2.0 * h);
+    reaction = residual_.back().head<3>().norm();
+    const AttachmentMotion at{trial_.q.back().head<3>(), ends.velocity, Vector3::Zero()};
+    const BodyResponse body = bodyResponse(*model.bodies().vehicle, model.sea(), 0.0, at, Rotation(), Wrench(),
+                                           TangentWeights{0.0, 0.0, 1.0});
+    residual_.back().head<3>() += body.force;
+    tangent_.diagonal(model.elements()).topLeftCorner<3, 3>() += body.force_n;
   }
-  return holdEnds(model, q_, newton, heldEnds(ends), residual_);
+  return holdEnds(model, trial_.q, newton, steadyHeld(model), residual_, reaction);
 }
 
 SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left)
@@ -184,7 +188,7 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
     if (k == newton.max_iterations || iterations_left <= 0 || diverging)
       return report;
     previous = size.largest;
-    holdEnds(heldEnds(ends), tangent_);
+    holdEnds(steadyHeld(model), tangent_);
     ++report.iterations;
     --iterations_left;
     if (!std::isfinite(size.largest) || !tangent_.solve(residual_))
@@ -193,7 +197,7 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
       return report;
     }
     for (int i = 0; i < model.nodes(); ++i)
-      q_[i] -= residual_[i];
+      trial_.q[i] -= residual_[i];
   }
 }
 

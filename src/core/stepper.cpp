@@ -28,12 +28,12 @@ std::vector<std::string> problems(const StepperOptions& options)
   return check.problems();
 }
 
-Stepper::Stepper(int nodes, const StepperOptions& options)
-  : options_(checked(options)), integrator_(nodes, options.spectral_radius, options.newton)
+Stepper::Stepper(const CableModel& model, const StepperOptions& options)
+  : options_(checked(options)), integrator_(model, options.spectral_radius, options.newton)
 {
 }
 
-SolveReport Stepper::advance(const CableModel& model, const EndPaths& ends, double t_end, CableState& state)
+SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_end, CableState& state)
 {
   SolveReport total;
   const double duration = t_end - state.time;

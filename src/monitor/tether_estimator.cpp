@@ -43,7 +43,7 @@ core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 TetherEstimator::TetherEstimator(const Config& config)
   : config_(checked(config)),
     model_(config.tether, config.elements, config.environment, config.fittings),
-    stepper_(model_.nodes(), config.solver),
+    stepper_(model_, config.solver),
     statics_(model_.nodes()),
     alarms_(config),
     rejected_at_(-std::numeric_limits<double>::infinity())
@@ -53,7 +53,7 @@ TetherEstimator::TetherEstimator(const Config& config)
 
 void TetherEstimator::setCurrent(const core::CurrentProfile& current)
 {
-  model_.setCurrent(current);
+  model_.sea().setCurrent(current);
 }
 
 bool TetherEstimator::setPayout(double length, double rate)
@@ -73,7 +73,7 @@ bool TetherEstimator::setPayout(double length, double rate)
   const core::CurrentProfile current = model_.environment().current;
   config_.tether.length = length;
   model_ = core::CableModel(config_.tether, config_.elements, config_.environment, config_.fittings);
-  model_.setCurrent(current);
+  model_.sea().setCurrent(current);
   settled_ = announced_settling_ = false;
   return true;
 }

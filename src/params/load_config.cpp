@@ -124,7 +124,7 @@ void loadVehicle(Reader in, monitor::Config& config)
   if (mode == "free")
   {
     config.vehicle_mode = monitor::VehicleMode::FREE;
-    core::EndBody& body = config.vehicle_body;
+    core::RigidBody& body = config.vehicle_body;
     body.mass = in.number("mass");
     body.volume = in.number("volume");
     body.inertia = in.vector("inertia");

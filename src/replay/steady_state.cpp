@@ -10,10 +10,10 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
                             const core::Vector3& vehicle, const core::Vector3& velocity)
 {
   core::throwIfAny("configuration", problems(config));
-  const core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
-  core::SteadyEnds ends{vessel + config.vessel.attachment, vehicle + config.vehicle.attachment, velocity};
+  core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
+  const core::SteadyEnds ends{vessel + config.vessel.attachment, vehicle + config.vehicle.attachment, velocity};
   if (config.vehicle_mode == monitor::VehicleMode::FREE)
-    ends.body = config.vehicle_body;
+    model.setBodies({std::nullopt, config.vehicle_body});
 
   SteadyState result;
   core::NodeField shape;

@@ -110,7 +110,7 @@ TEST_P(PointOnACatenary, MatchesThePiecewiseSolution)
   Eigen::Vector2d place;
   endOf(pieces, force[0], force[1], &place);
 
-  const CableModel model(p, 50, Environment(), fittings);
+  CableModel model(p, 50, Environment(), fittings);
   const Vector3 vessel(0, 0, -100);
   Statics statics(model.nodes());
   NodeField shape;
@@ -136,7 +136,7 @@ TEST(Sections, HeavyAndLightPiecesMatchThePiecewiseSolution)
                                   {280.0, wetWeight(p), p.axial_stiffness, 0.0}};
   const Eigen::Vector2d force = solve(pieces, {330.0, 60.0}, {3000.0, 4000.0});
   ASSERT_LT((endOf(pieces, force[0], force[1]) - Eigen::Vector2d(330.0, 60.0)).norm(), 1e-6) << "precondition";
-  const CableModel model(p, 50, Environment(), fittings);
+  CableModel model(p, 50, Environment(), fittings);
   const EndForces forces = steadyForces(model, {{0, 0, -100}, {330, 0, -160}, {0, 0, 0}});
   EXPECT_TRUE(matricesNear(forces.vessel, Vector3(force[0], 0, -force[1]), 1e-3 * force.norm()));
   EXPECT_EQ(model.propertiesOf(0).mass_per_length, 5.0);
@@ -154,9 +154,9 @@ TEST(PointLoad, TangentIsTheDerivativeOfItsForce)
     const Vector3 r(1, 2, z), v(0.5, -0.2, 0.3), a(0.1, 0.2, 0.3);
     const TangentWeights weights{0.7, 1.3, 2.1};
     Matrix3 tangent;
-    pointLoadResidual(point, Environment(), r, v, a, weights, &tangent);
+    pointLoadResidual(point, Environment(), 0.0, r, v, a, weights, &tangent);
     const auto f = [&](const Vector3& x, const Vector3& y, const Vector3& w)
-    { return pointLoadResidual(point, Environment(), x, y, w, weights, nullptr); };
+    { return pointLoadResidual(point, Environment(), 0.0, x, y, w, weights, nullptr); };
     const double h = 1e-6;
     for (int i = 0; i < 3; ++i)
     {

@@ -16,21 +16,21 @@ EndPaths heldEnds(const CableState& state)
 }
 
 // A state at rest whose accelerations satisfy the equations of motion.
-CableState released(const CableModel& model, const NodeField& shape)
+CableState released(CableModel& model, const NodeField& shape)
 {
   CableState state(0.0, shape, Vector3::Zero());
-  GeneralizedAlpha starter(model.nodes());
+  GeneralizedAlpha starter(model);
   EXPECT_TRUE(starter.initialiseAcceleration(model, heldEnds(state), state).converged());
   return state;
 }
 
 // Frequency [Hz] of a coordinate that starts at its largest, from the zero crossings of some periods.
 template <typename Coordinate>
-double measuredFrequency(const CableModel& model, CableState state, double expected, Coordinate coordinate)
+double measuredFrequency(CableModel& model, CableState state, double expected, Coordinate coordinate)
 {
   StepperOptions options;
   options.step = 1.0 / (200.0 * expected);
-  Stepper stepper(model.nodes(), options);
+  Stepper stepper(model, options);
   const EndPaths ends = heldEnds(state);
   double before = coordinate(state), first = 0.0, last = 0.0;
   int crossings = 0;
@@ -58,7 +58,7 @@ TEST(Swing, KeepsItsEnergy)
   p.length = 20.0;
   p.axial_stiffness = 1.0e6;
   p.axial_damping = 0.0;
-  const CableModel model(p, 10, air());
+  CableModel model(p, 10, air());
   Statics statics(model.nodes());
   NodeField shape;
   ASSERT_TRUE(statics.solve(model, {{0, 0, 0}, {16, 0, 0}, {0, 0, 0}}, shape).converged());
@@ -73,7 +73,7 @@ TEST(Swing, KeepsItsEnergy)
   const double period = 2.0 * M_PI * std::sqrt(5.5 / 9.81);  // sag about 5.5 m: good enough to set the step
   StepperOptions options;
   options.step = period / 100.0;
-  Stepper stepper(model.nodes(), options);
+  Stepper stepper(model, options);
   const EndPaths ends = heldEnds(state);
   double highest = start, lowest_side = 0.0;
   for (int k = 1; k <= 2000; ++k)
@@ -94,7 +94,7 @@ TEST(Frequency, OfATautString)
   p.axial_stiffness = 1.0e6;
   Environment space = air();
   space.gravity = 0.0;
-  const CableModel model(p, 20, space);
+  CableModel model(p, 20, space);
   const double stretched = 50.5;
   NodeField shape(model.nodes());
   for (int i = 0; i < model.nodes(); ++i)
@@ -116,7 +116,7 @@ TEST(Frequency, OfAHangingChainHeldBelow)
   // (T y')' + m w^2 y = 0 with T = T0 + m g x has the solutions J0, Y0 of b sqrt(T), b = 2 w / (g sqrt(m)).
   CableProperties p = towCable();
   p.length = 50.0;
-  const CableModel model(p, 20, air());
+  CableModel model(p, 20, air());
   const double m = p.mass_per_length, g = 9.81, T0 = 100.0, T1 = T0 + m * g * p.length;
   const auto miss = [&](double omega)
   {
@@ -156,7 +156,7 @@ TEST(Convergence, IsOfSecondOrderInTheStep)
   // such that axial waves (0.95 s to and fro) are resolved by the steps: unresolved ones would hide the order.
   CableProperties p = towCable();
   p.axial_stiffness = 1.0e6;
-  const CableModel model(p, 20, Environment());
+  CableModel model(p, 20, Environment());
   Statics statics(model.nodes());
   NodeField shape;
   ASSERT_TRUE(statics.solve(model, {{0, 0, -5}, {-330, 0, -155}, {0, 0, 0}}, shape).converged());
@@ -174,7 +174,7 @@ TEST(Convergence, IsOfSecondOrderInTheStep)
     CableState state(0.0, shape, Vector3::Zero());
     StepperOptions options;
     options.step = h;
-    Stepper stepper(model.nodes(), options);
+    Stepper stepper(model, options);
     std::vector<double> force;
     const long steps = std::lround(12.0 / h), sample = std::lround(0.4 / h);
     for (long k = 1; k <= steps; ++k)

@@ -59,10 +59,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StepperRefuses, BadOptions)
 {
-  EXPECT_THROW(Stepper(3, {0.0, 0.6, 10, 400, {}}), std::invalid_argument);
-  EXPECT_THROW(Stepper(3, {0.05, 1.1, 10, 400, {}}), std::invalid_argument);
-  EXPECT_THROW(Stepper(3, {0.05, 0.6, -1, 400, {}}), std::invalid_argument);
-  EXPECT_THROW(Stepper(3, {0.05, 0.6, 10, 0, {}}), std::invalid_argument);
+  const CableModel model(towCable(), 2, Environment());
+  EXPECT_THROW(Stepper(model, {0.0, 0.6, 10, 400, {}}), std::invalid_argument);
+  EXPECT_THROW(Stepper(model, {0.05, 1.1, 10, 400, {}}), std::invalid_argument);
+  EXPECT_THROW(Stepper(model, {0.05, 0.6, -1, 400, {}}), std::invalid_argument);
+  EXPECT_THROW(Stepper(model, {0.05, 0.6, 10, 0, {}}), std::invalid_argument);
 }
 
 TEST(CurrentProfile, IsLinearBetweenAndConstantBeyond)

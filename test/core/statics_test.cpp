@@ -30,7 +30,7 @@ TEST_P(SteadyState, IsFoundIsAnEquilibriumAndStaysWhenElementsAreDoubled)
   Vector3 force[2];
   for (int k = 0; k < 2; ++k)
   {
-    const CableModel model(towCable(), k == 0 ? 50 : 100, Environment());
+    CableModel model(towCable(), k == 0 ? 50 : 100, Environment());
     Statics statics(model.nodes());
     NodeField shape;
     const SolveReport report = statics.solve(model, ends, shape);
@@ -39,7 +39,7 @@ TEST_P(SteadyState, IsFoundIsAnEquilibriumAndStaysWhenElementsAreDoubled)
     // Second look at the residual, apart from the solver.
     const CableState state(0.0, shape, ends.velocity);
     NodeField residual(model.nodes());
-    model.assemble(state.q, state.v, state.a, residual);
+    model.assemble(state, residual);
     force[k] = -residual.front().head<3>();
     NewtonOptions tolerance;
     tolerance.relative_tolerance = 1e-7;
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SteadyState, StretchedChordHasTheTensionOfItsStrain)
 {
-  const CableModel model(towCable(), 20, Environment());
+  CableModel model(towCable(), 20, Environment());
   const double strain = 0.5 * (1.005 * 1.005 - 1.0);
   EXPECT_NEAR(steadyForces(model, {{0, 0, -5}, {-402, 0, -5}, {0, 0, 0}}).vessel.norm(), 6.75e7 * strain * 1.005,
               1e-3 * 3.4e5);
@@ -89,7 +89,7 @@ TEST(SteadyState, MovingThroughStillWaterEqualsStandingInACurrent)
 
 TEST(SteadyState, GarbageEndsInAStatusAndLeavesTheShapeAlone)
 {
-  const CableModel model(towCable(), 10, Environment());
+  CableModel model(towCable(), 10, Environment());
   Statics statics(model.nodes());
   NodeField shape;
   EXPECT_FALSE(statics.solve(model, {{0, 0, NAN}, {-300, 0, -50}, {0, 0, 0}}, shape).converged());

@@ -55,15 +55,16 @@ TEST(SteadyTow, EveryReferenceCaseWith50Elements)
     p.axial_stiffness = row.x[3];
     p.drag_normal = row.x[9] > 0.0 ? row.x[4] : 0.0;
     p.drag_tangential = row.x[9] > 0.0 ? row.x[5] : 0.0;
-    const CableModel model(p, 50, Environment());
+    CableModel model(p, 50, Environment());
     SteadyEnds ends;
     ends.velocity = {row.x[6], 0.0, 0.0};
     ends.vessel = {0.0, 0.0, -1.0};
-    EndBody body;
+    RigidBody body;
+  body.inertia = Vector3::Ones();
     body.mass = 1025.0;
     body.volume = 1.0;  // neutral
     body.force = {row.x[7], 0.0, row.x[8]};
-    ends.body = body;
+    model.setBodies({std::nullopt, body});
     Statics statics(model.nodes());
     NodeField shape;
     const SolveReport report = statics.solve(model, ends, shape);
@@ -90,13 +91,15 @@ TEST(SteadyTow, CriticalAngleOfALongTow)
   const double angle[4][2] = {{0.5, 70.572}, {1.0, 43.933}, {2.0, 23.084}, {3.084, 15.099}};
   for (const auto& [V, phi] : angle)
   {
-    const CableModel model(p, 50, Environment());
+    CableModel model(p, 50, Environment());
     SteadyEnds ends;
     ends.velocity = {V, 0.0, 0.0};
     ends.vessel = {0.0, 0.0, -1.0};
-    ends.body = EndBody();
-    ends.body->mass = 1.0;
-    ends.body->volume = 1.0 / 1025.0;
+    RigidBody body;
+    body.mass = 1.0;
+    body.volume = 1.0 / 1025.0;
+    body.inertia = Vector3::Ones();
+    model.setBodies({std::nullopt, body});
     Statics statics(model.nodes());
     NodeField shape;
     ASSERT_TRUE(statics.solve(model, ends, shape).converged()) << V;
@@ -111,15 +114,16 @@ TEST(SteadyTow, ABodyFallsToTheDepthWhereDragAndWeightBalance)
   CableProperties p = towCable();
   p.drag_normal = p.drag_tangential = 0.0;
   p.mass_per_length = 1025.0 * p.displacedArea();
-  const CableModel model(p, 20, Environment());
+  CableModel model(p, 20, Environment());
   SteadyEnds ends;
   ends.vessel = {0.0, 0.0, -1.0};
   ends.velocity = {2.0, 0.0, 0.0};
-  EndBody body;
+  RigidBody body;
+  body.inertia = Vector3::Ones();
   body.mass = 1500.0;
   body.volume = 1.0;
   body.drag_area = {0.5, 0.5, 0.5};
-  ends.body = body;
+  model.setBodies({std::nullopt, body});
   Statics statics(model.nodes());
   NodeField shape;
   ASSERT_TRUE(statics.solve(model, ends, shape).converged());

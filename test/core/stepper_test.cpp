@@ -29,7 +29,7 @@ class StepperTest : public ::testing::Test
 
 TEST_F(StepperTest, ASteadyStateStays)
 {
-  Stepper stepper(model.nodes(), StepperOptions());
+  Stepper stepper(model, StepperOptions());
   const NodeField before = state.q;
   ASSERT_TRUE(stepper.advance(model, towards({-330, 0, -155}, 10.0), 10.0, state).converged());
   EXPECT_DOUBLE_EQ(state.time, 10.0);
@@ -39,14 +39,14 @@ TEST_F(StepperTest, ASteadyStateStays)
 
 TEST_F(StepperTest, AnEndInThePastChangesNothing)
 {
-  Stepper stepper(model.nodes(), StepperOptions());
+  Stepper stepper(model, StepperOptions());
   EXPECT_EQ(stepper.advance(model, towards({-330, 0, -155}, 1.0), 0.0, state).steps, 0);
   EXPECT_EQ(state.time, 0.0);
 }
 
 TEST_F(StepperTest, GarbageLeavesTheStateAsItWas)
 {
-  Stepper stepper(model.nodes(), StepperOptions());
+  Stepper stepper(model, StepperOptions());
   const CableState before = state;
   const SolveReport report = stepper.advance(model, towards({NAN, 0, -155}, 0.05), 0.05, state);
   EXPECT_FALSE(report.converged());
@@ -59,7 +59,7 @@ TEST_F(StepperTest, TheBudgetHolds)
 {
   StepperOptions options;
   options.max_iterations = 50;
-  Stepper stepper(model.nodes(), options);
+  Stepper stepper(model, options);
   // 10 km in one step.
   const SolveReport report = stepper.advance(model, towards({-10330, 0, -155}, 0.05), 0.05, state);
   EXPECT_LE(report.iterations, 50 + options.newton.max_iterations);
@@ -68,7 +68,7 @@ TEST_F(StepperTest, TheBudgetHolds)
 
 TEST_F(StepperTest, ASnapIsSubsteppedAndSurvived)
 {
-  Stepper stepper(model.nodes(), StepperOptions());
+  Stepper stepper(model, StepperOptions());
   // From slack to 1 m longer than the tether within half a second.
   const Vector3 far = Vector3(-330, 0, -150).normalized() * 401.0 + Vector3(0, 0, -5);
   const SolveReport report = stepper.advance(model, towards(far, 1.0), 1.0, state);
@@ -79,7 +79,7 @@ TEST_F(StepperTest, ASnapIsSubsteppedAndSurvived)
 TEST_F(StepperTest, SameInputSameBytes)
 {
   CableState twin = state;
-  Stepper one(model.nodes(), StepperOptions()), other(model.nodes(), StepperOptions());
+  Stepper one(model, StepperOptions()), other(model, StepperOptions());
   const EndPaths ends = towards({-335, 3, -150}, 2.0);
   ASSERT_TRUE(one.advance(model, ends, 2.0, state).converged());
   ASSERT_TRUE(other.advance(model, ends, 2.0, twin).converged());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/LU>
 #include <vector>
 
 #include "tether_monitor/core/types.h"
@@ -37,6 +38,21 @@ class BlockTridiagonal
    * @return   false if a pivot block is singular or a number is not finite; b is then unusable.
    */
   bool solve(NodeField& b);
+
+  /// After solve(): solves for one more right-hand side, of six rows and any number of columns at each node.
+  template <typename Columns>
+  void solveAgain(std::vector<Columns>& b) const
+  {
+    const int n = nodes();
+    for (int i = 0; i < n; ++i)
+    {
+      if (i > 0)
+        b[i].noalias() -= lower_[i - 1] * b[i - 1];
+      b[i] = diagonal_[i].partialPivLu().solve(b[i]).eval();
+    }
+    for (int i = n - 2; i >= 0; --i)
+      b[i].noalias() -= upper_[i] * b[i + 1];
+  }
 
  private:
   std::vector<NodeMatrix> diagonal_;

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tether_monitor/core/block_tridiagonal.h"
 #include "tether_monitor/core/cable_fittings.h"
 #include "tether_monitor/core/cable_properties.h"
+#include "tether_monitor/core/cable_state.h"
+#include "tether_monitor/core/contact.h"
 #include "tether_monitor/core/element_response.h"
-#include "tether_monitor/core/environment.h"
+#include "tether_monitor/core/payout_path.h"
 #include "tether_monitor/core/point_load.h"
+#include "tether_monitor/core/rigid_body.h"
+#include "tether_monitor/core/sea.h"
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
 {
+/// Simulated bodies at the tether's ends; an end without one is held on a given path.
+struct EndBodies
+{
+  std::optional<RigidBody> vessel;
+  std::optional<RigidBody> vehicle;
+};
+
 /**
  * A tether cut into elements, in its environment: residual and tangent of the equations of motion (M11).
  *
- * Holds no motion: state goes in as an argument, so one model serves many states and threads.
+ * Holds no motion: state goes in as an argument, so one model serves many states and threads, as long as the
+ * deployed length stays.
  */
 class CableModel
 {
@@ -37,7 +50,11 @@ class CableModel
   /// Properties of element `i`: those of its section.
   const CableProperties& propertiesOf(int i) const { return kinds_[kind_[i]]; }
   const std::vector<PointLoad>& pointLoads() const { return point_loads_; }
-  const Environment& environment() const { return sea_; }
+  const Environment& environment() const { return sea_.environment(); }
+  const Sea& sea() const { return sea_; }
+  const EndBodies& bodies() const { return bodies_; }
+  /// True if there is anything that the tether could touch.
+  bool hasContact() const { return sea_.hasSeabed() || !environment().obstacles.empty(); }
   /// Unstretched arc length of a node from the vessel end [m]; 0 <= node <= elements().
   double arcLength(int node) const { return arc_length_[node]; }
   double length() const { return arc_length_.back(); }
@@ -45,22 +62,35 @@ class CableModel
   double largestStiffness() const { return largest_stiffness_; }
   /// Unit of force for tolerances [N]: dry weight of the whole tether, at least that of 1 kg.
   double forceScale() const { return force_scale_; }
+  /// Dry mass of the deployed tether and what is fixed to it [kg].
+  double mass() const { return mass_; }
 
   /// A copy whose bending stiffness is at least `floor` m g l^3 [-] in every element of length l.
   CableModel stiffened(double floor) const;
 
-  /// Replaces the current profile while the model is in use. Allocates; not for the stepping path.
-  void setCurrent(const CurrentProfile& current) { sea_.current = current; }
+  /// Changes of the environment while the model is in use. They may allocate: not for the stepping path. Obstacles
+  /// that come or go want beginContact().
+  Sea& sea() { return sea_; }
+  /// Puts simulated bodies at the ends. @throws std::invalid_argument listing violated bounds.
+  void setBodies(const EndBodies& bodies);
+  /// Multiplies the normal drag of element `i` by a factor >= 1: strumming. Default 1.
+  void setDragFactor(int i, double factor);
 
-  /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Fields of size
-  /// nodes().
-  void assemble(const NodeField& q, const NodeField& v, const NodeField& a, NodeField& residual) const;
-  /// As above, with the iteration matrix; see TangentWeights.
-  void assemble(const NodeField& q, const NodeField& v, const NodeField& a, const TangentWeights& weights,
-                NodeField& residual, BlockTridiagonal& tangent) const;
+  /// True if the tether can be deployed to `length` [m] with the mesh there is: what is fixed to it, and one twentieth
+  /// of an element's length for each element, must stay outside.
+  bool canPayTo(double length) const;
+  /// Deployed length and its rates: the elements between the vessel end and the first section boundary or attachment
+  /// grow and the tether runs through them, (M24). canPayTo(length) must hold; allocates nothing.
+  void setPayout(const PayoutMotion& payout);
+
+  /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Size nodes().
+  void assemble(const CableState& state, NodeField& residual) const;
+  /// As above, with the iteration matrix (see TangentWeights), and with the obstacles' part if `border` is given.
+  void assemble(const CableState& state, const TangentWeights& weights, NodeField& residual,
+                BlockTridiagonal& tangent, ObstacleBorder* border = nullptr) const;
   /// Residual of element `i` alone: the forces that its two nodes receive from their other neighbours or from
   /// outside.
-  ElementCoords elementResidualOf(int i, const NodeField& q, const NodeField& v, const NodeField& a) const;
+  ElementCoords elementResidualOf(int i, const CableState& state) const;
 
   /// Energies of the whole tether [J]; see ElementEnergy.
   ElementEnergy energy(const NodeField& q, const NodeField& v) const;
@@ -70,10 +100,15 @@ class CableModel
   std::vector<CableProperties> kinds_;  // the tether's own, then one for each section
   std::vector<int> kind_;               // of each element
   std::vector<PointLoad> point_loads_;
-  Environment sea_;
+  Sea sea_;
+  EndBodies bodies_;
   std::vector<ElementParameters> elements_;
   std::vector<double> arc_length_;
+  std::vector<double> growing_share_;  // of each growing element in the piece that grows
+  double fixed_length_ = 0.0;          // of the elements that do not grow [m]
+  void updateScales();
   double force_scale_ = 0.0;
+  double mass_ = 0.0;
   double largest_stiffness_ = 0.0;
 };
 

@@ -1,9 +1,43 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <vector>
+
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
 {
+/// Attitude of a simulated body at a tether end, in its own axes. Its position is that of the end node.
+struct Rotation
+{
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit.
+  Vector3 velocity = Vector3::Zero();      ///< angular, body axes [rad/s].
+  Vector3 acceleration = Vector3::Zero();  ///< angular, body axes [rad/s^2].
+  Vector3 aux = Vector3::Zero();           ///< algorithmic acceleration, (M12).
+};
+
+/// Motion of the centre of one obstacle, model coordinates.
+struct ObstacleMotion
+{
+  Vector3 position = Vector3::Zero();      ///< [m]
+  Vector3 velocity = Vector3::Zero();      ///< [m/s]
+  Vector3 acceleration = Vector3::Zero();  ///< [m/s^2]
+  Vector3 aux = Vector3::Zero();           ///< algorithmic acceleration, (M12).
+};
+
+/**
+ * What friction remembers: for every integration point the place on a surface to which its friction spring is tied,
+ * (M23). Empty while nothing can be touched.
+ */
+struct ContactMemory
+{
+  double time = 0.0;                      ///< [s] of these places.
+  bool steady = false;                    ///< steady motion: sliding friction against the velocity, no springs.
+  std::vector<Vector3> seabed;            ///< [m]
+  std::vector<Vector3> obstacle;          ///< [m] on the obstacle touched deepest.
+  std::vector<Vector3> obstacle_position;  ///< centre of every obstacle [m].
+};
+
 /// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it.
 struct CableState
 {
@@ -13,6 +47,10 @@ struct CableState
   NodeField v;        ///< first time derivative.
   NodeField a;        ///< second time derivative; satisfies the equations of motion at `time`.
   NodeField aux;      ///< algorithmic acceleration of the generalised-alpha scheme, (M12).
+  Rotation vessel;    ///< used if the model has a body there.
+  Rotation vehicle;   ///< used if the model has a body there.
+  std::vector<ObstacleMotion> obstacles;  ///< one for each obstacle of the model.
+  ContactMemory contact;
 
   CableState() = default;
   /// Coordinates `shape` at time `t`, in uniform motion with velocity V [m/s] and no acceleration.

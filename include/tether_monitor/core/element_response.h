@@ -2,11 +2,32 @@
 
 #include "tether_monitor/core/axial_law.h"
 #include "tether_monitor/core/bending_response.h"
-#include "tether_monitor/core/environment.h"
+#include "tether_monitor/core/sea.h"
+
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
 {
+/**
+ * Motion of the tether through the mesh while it is paid out, (M24) of doc/model.md.
+ *
+ * An element between the vessel end and the first fixed point of the tether grows with the deployed length, and
+ * the tether runs through it with speed c towards larger s.
+ */
+struct ElementFlow
+{
+  bool active = false;
+  double growth = 0.0;        ///< l'/l [1/s], l' the rate of the element's length.
+  double acceleration = 0.0;  ///< l''/l [1/s^2].
+  double speed_a = 0.0;       ///< c at node a [m/s].
+  double speed_b = 0.0;       ///< c at node b [m/s].
+  double rate_a = 0.0;        ///< dc/dt at node a [m/s^2].
+  double rate_b = 0.0;        ///< dc/dt at node b [m/s^2].
+
+  double at(double xi) const { return speed_a + xi * (speed_b - speed_a); }
+  double rateAt(double xi) const { return rate_a + xi * (rate_b - rate_a); }
+};
+
 /// Constants of one element, ready for the stepping path (no checks there: CableModel checks at set-up).
 struct ElementParameters
 {
@@ -21,6 +42,9 @@ struct ElementParameters
   double bending_stiffness = 0.0;  ///< EI with its regularisation [N m^2].
   ShapeMatrix mass_matrix;         ///< massMatrix(length) * mass [kg].
   ShapeMatrix bending_matrix;      ///< bendingMatrix(length) * bending_stiffness [N/m].
+  double compression = 0.0;        ///< relative change of diameter per metre of depth [1/m], >= 0.
+  double natural_stretch = 1.0;    ///< lambda_0 = 1 + permanent elongation [-].
+  ElementFlow flow;
 };
 
 /// Coordinates of an element with their first and second time derivatives.
@@ -29,6 +53,7 @@ struct ElementMotion
   ElementCoords q;
   ElementCoords v;
   ElementCoords a;
+  double time = 0.0;  ///< [s], for the waves.
 };
 
 /// Weights of mass, damping and stiffness in the iteration matrix: J = mass dR/da + damping dR/dv + stiffness
@@ -52,14 +77,12 @@ struct TangentWeights
  * @param motion    coordinates and rates; finite.
  * @param residual  out: 3-vectors conjugate to r_a, r'_a, r_b, r'_b [N, N m, N, N m].
  */
-void elementResidual(const ElementParameters& p, const Environment& sea, const ElementMotion& motion,
-                     ElementCoords& residual);
+void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion, ElementCoords& residual);
 
 /// As above, with the iteration matrix.
 /// @param weights  see TangentWeights.
 /// @param tangent  out: derivative of the residual, weighted.
-void elementResidual(const ElementParameters& p, const Environment& sea, const ElementMotion& motion,
-                     const TangentWeights& weights, ElementCoords& residual, ElementMatrix& tangent);
+void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion, const TangentWeights& weights, ElementCoords& residual, ElementMatrix& tangent);
 
 /// Energies of one element [J].
 struct ElementEnergy

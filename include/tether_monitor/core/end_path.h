@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "tether_monitor/core/payout_path.h"
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
@@ -33,11 +36,14 @@ class EndPath
   Eigen::Matrix<double, 3, 4> c_ = Eigen::Matrix<double, 3, 4>::Zero();
 };
 
-/// Paths of both held ends over the same stretch of time.
+/// What drives a tether over a stretch of time: paths of held ends, thrust of simulated bodies, pay-out.
 struct EndPaths
 {
   EndPath vessel;
   EndPath vehicle;
+  Wrench vessel_thrust = {};   ///< at the centre of mass, body axes; for an end with a body.
+  Wrench vehicle_thrust = {};  ///< likewise.
+  std::optional<PayoutPath> payout = std::nullopt;  ///< none: the deployed length stays.
 };
 
 }  // namespace tether_monitor::core

@@ -1,22 +1,27 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/airy_wave.h"
 #include "tether_monitor/core/current_profile.h"
+#include "tether_monitor/core/obstacle.h"
+#include "tether_monitor/core/seabed.h"
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
 {
-/// The sea around the tether. The still water surface is z = 0.
+/// The sea around the tether, as a user describes it. The still water surface is z = 0.
 struct Environment
 {
   double water_density = 1025.0;  ///< rho [kg/m^3], >= 0 (zero: the tether hangs in air).
   double gravity = 9.81;          ///< g [m/s^2], >= 0.
   CurrentProfile current;         ///< Water velocity by depth; default still water.
-
-  /// Velocity of the water [m/s] at a point of the world [m].
-  Vector3 waterVelocity(const Vector3& point) const { return current.at(point.z()); }
+  WaveProperties waves;           ///< default none.
+  Vector3 wind = Vector3::Zero();  ///< velocity of the air [m/s]; zero: the air is not felt at all.
+  std::optional<Seabed> seabed;    ///< default none.
+  std::vector<Obstacle> obstacles;
 };
 
 /// Every bound of Environment that `environment` violates, one sentence each.

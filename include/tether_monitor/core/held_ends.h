@@ -12,6 +12,9 @@ struct HeldEnds
   bool vehicle = true;
 };
 
+/// The ends that are held because no body of the model moves them.
+HeldEnds heldEnds(const CableModel& model);
+
 /// Size of a residual and what counts as zero for it.
 struct ResidualSize
 {
@@ -21,8 +24,9 @@ struct ResidualSize
 
 /// Takes the position rows of held end nodes out of a residual (their value is the reaction) and measures the
 /// rest. `residual` becomes the negative right-hand side for the free rows: held rows are set to zero.
+/// @param reaction  other forces that tell what is small [N].
 ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
-                      const HeldEnds& held, NodeField& residual);
+                      const HeldEnds& held, NodeField& residual, double reaction = 0.0);
 
 /// Makes the position rows of held end nodes identities.
 void holdEnds(const HeldEnds& held, BlockTridiagonal& tangent);

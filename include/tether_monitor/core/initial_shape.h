@@ -1,7 +1,6 @@
 #pragma once
 
 #include "tether_monitor/core/cable_model.h"
-#include "tether_monitor/core/end_body.h"
 
 namespace tether_monitor::core
 {
@@ -51,6 +50,6 @@ NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vec
  * @param velocity  common velocity of both ends [m/s].
  */
 NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vector3& velocity,
-                       const EndBody& body);
+                       const RigidBody& body);
 
 }  // namespace tether_monitor::core

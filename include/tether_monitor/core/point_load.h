@@ -16,12 +16,12 @@ struct PointLoad
 /**
  * Force that an attachment needs from outside, to be added to the residual of its node, and its iteration matrix.
  *
- * Model: m a + (m - rho V phi) g up + 1/2 rho CdA phi |u| u, (M20) of doc/model.md.
+ * Model: m a + (m - rho V phi) g up + 1/2 rho CdA phi |u| u - rho V phi a_water, (M20) of doc/model.md.
  *
  * @param r, v, a  position, velocity and acceleration of the node.
  * @param tangent  out unless null: weighted derivative, see TangentWeights.
  */
-Vector3 pointLoadResidual(const PointLoad& load, const Environment& sea, const Vector3& r, const Vector3& v,
+Vector3 pointLoadResidual(const PointLoad& load, const Sea& sea, double time, const Vector3& r, const Vector3& v,
                           const Vector3& a, const TangentWeights& weights, Matrix3* tangent);
 
 }  // namespace tether_monitor::core

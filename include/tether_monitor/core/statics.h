@@ -1,24 +1,19 @@
 #pragma once
 
-#include <optional>
-
 #include "tether_monitor/core/cable_model.h"
-#include "tether_monitor/core/end_body.h"
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/newton_options.h"
 #include "tether_monitor/core/solve_report.h"
 
 namespace tether_monitor::core
 {
-/// Ends between which a steady state is wanted: both move with the same constant velocity; the vehicle end is held
-/// or free.
+/// Ends between which a steady state is wanted: both move with the same constant velocity. The vehicle end is held,
+/// or free if the model has a body there, which then finds its own position, its axes those of the world.
 struct SteadyEnds
 {
   Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
   Vector3 vehicle = Vector3::Zero();   ///< position of the vehicle end [m].
   Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
-  /// Hangs at the vehicle end, which then is free and finds its own position.
-  std::optional<EndBody> body = std::nullopt;
 };
 
 /// Bounds of the search for a steady state.
@@ -40,7 +35,7 @@ struct StaticsOptions
 class Statics
 {
  public:
-  /// @param nodes  nodes of the model, >= 2. All memory is taken here.
+  /// @param nodes  nodes of the models to be solved, >= 2.
   explicit Statics(int nodes, const StaticsOptions& options = StaticsOptions());
 
   /**
@@ -59,7 +54,8 @@ class Statics
                         const NewtonOptions& newton);
 
   StaticsOptions options_;
-  NodeField q_, start_, v_, a_, residual_;
+  CableState trial_;
+  NodeField start_, residual_;
   BlockTridiagonal tangent_;
 };
 

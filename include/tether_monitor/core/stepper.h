@@ -29,7 +29,8 @@ class Stepper
 {
  public:
   /// @throws std::invalid_argument listing violated bounds.
-  Stepper(int nodes, const StepperOptions& options);
+  /// @param model  that will be stepped, or one like it.
+  Stepper(const CableModel& model, const StepperOptions& options);
 
   /**
    * Steps `state` to time t_end.
@@ -39,8 +40,10 @@ class Stepper
    * @param state  in and out; on failure the last state that converged, at its own time.
    * @return       sums over the call; BUDGET_SPENT or the failure of the smallest step if t_end was not reached.
    */
-  SolveReport advance(const CableModel& model, const EndPaths& ends, double t_end, CableState& state);
+  SolveReport advance(CableModel& model, const EndPaths& ends, double t_end, CableState& state);
 
+  /// Takes memory for the obstacles of `model`, after they changed.
+  void prepareObstacles(const CableModel& model) { integrator_.prepareObstacles(model); }
   const StepperOptions& options() const { return options_; }
 
  private:

@@ -9,6 +9,13 @@ namespace tether_monitor::core
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
+/// Force and moment at the centre of mass of a body, in its axes [N, N m].
+struct Wrench
+{
+  Vector3 force = Vector3::Zero();
+  Vector3 torque = Vector3::Zero();
+};
+
 /// Coordinates of one node, or their rates, or the conjugate forces. Rows 0-2: position r [m];
 /// rows 3-5: slope r' = dr/ds [-] (conjugate: N m).
 using NodeCoords = Eigen::Matrix<double, 6, 1>;

@@ -6,7 +6,7 @@
 
 #include "tether_monitor/core/cable_fittings.h"
 #include "tether_monitor/core/cable_properties.h"
-#include "tether_monitor/core/end_body.h"
+#include "tether_monitor/core/rigid_body.h"
 #include "tether_monitor/core/environment.h"
 #include "tether_monitor/core/stepper.h"
 #include "tether_monitor/monitor/alarm.h"
@@ -59,7 +59,7 @@ struct Config
   BodyConfig vessel;
   BodyConfig vehicle;
   VehicleMode vehicle_mode = VehicleMode::TRACKED;
-  core::EndBody vehicle_body;  ///< set in mode free.
+  core::RigidBody vehicle_body;  ///< set in mode free.
 
   core::StepperOptions solver;
   double rate = 20.0;            ///< [Hz], > 0.

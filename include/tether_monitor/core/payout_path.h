@@ -1,0 +1,33 @@
+#pragma once
+
+namespace tether_monitor::core
+{
+/// Deployed length and its rates at one time.
+struct PayoutMotion
+{
+  double length = 0.0;        ///< [m], > 0.
+  double rate = 0.0;          ///< [m/s], > 0 when the length increases.
+  double acceleration = 0.0;  ///< [m/s^2]
+};
+
+/// Deployed length over a stretch of time: a cubic in time, continuous in length and rate.
+class PayoutPath
+{
+ public:
+  PayoutPath() = default;
+
+  /// The length stays.
+  static PayoutPath constant(double length);
+  /// From `from` at time t0 to `to` at time t1 [s]; t1 > t0.
+  static PayoutPath between(double t0, const PayoutMotion& from, double t1, const PayoutMotion& to);
+
+  PayoutMotion at(double t) const;
+  bool isConstant() const { return constant_; }
+
+ private:
+  bool constant_ = true;
+  double t0_ = 0.0;
+  double c_[4] = {0.0, 0.0, 0.0, 0.0};
+};
+
+}  // namespace tether_monitor::core

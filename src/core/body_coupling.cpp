@@ -1,0 +1,22 @@
+#include "tether_monitor/core/body_coupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::core
+{
+double BodyCoupling::assemble(const RigidBody& body, const Sea& sea, double t, const AttachmentMotion& motion,
+                              const Rotation& rotation, const Wrench& thrust, const TangentWeights& weights,
+                              NodeCoords& node, NodeMatrix& diagonal)
+{
+  response_ = bodyResponse(body, sea, t, motion, rotation, thrust, weights);
+  const Eigen::PartialPivLU<Matrix3> lu(response_.moment_r);
+  moment_ = lu.solve(response_.moment);
+  coupling_ = lu.solve(response_.moment_n);
+  node.head<3>() += response_.force;
+  diagonal.topLeftCorner<3, 3>() += response_.force_n - response_.force_r * coupling_;
+  const double arm = std::max({body.attachment.norm(), std::cbrt(body.volume), 0.1});
+  return response_.moment.norm() / arm;
+}
+
+}  // namespace tether_monitor::core
