@@ -12,6 +12,7 @@ namespace tether_monitor::core
 namespace
 {
 constexpr double SOFT_START = 0.02;          // penetration over diameter at which the spring is fully stiff [-]
+constexpr double STEP_DAMPING = 0.5;         // least damping over stiffness and time step [-], (M22)
 constexpr double OBSTACLE_DAMPING = 1.0e-3;  // damping over stiffness of an obstacle [s]
 constexpr int POINTS = static_cast<int>(GAUSS_POINTS.size());
 
@@ -129,7 +130,8 @@ Surface floorUnder(const CableModel& model, const CableState& state, const Point
 {
   const Seabed& bed = *model.sea().environment().seabed;
   const Seabed::Place floor = model.sea().floorAt(at.r);
-  Surface surface{bed.normal_stiffness * diameter, bed.damping * diameter, bed.friction,
+  const double damping = std::max(bed.damping, STEP_DAMPING * state.contact.step * bed.normal_stiffness);
+  Surface surface{bed.normal_stiffness * diameter, damping * diameter, bed.friction,
                   0.5 * diameter - (at.r.z() - floor.z) * floor.normal.z(), floor.normal, Matrix3::Zero(), at.v,
                   Vector3::Zero(), state.contact.steady};
   if (!state.contact.seabed.empty())
@@ -156,7 +158,8 @@ int deepestObstacle(const CableModel& model, const CableState& state, const Poin
       continue;
     deepest = static_cast<int>(k);
     const double k_d = obstacles[k].stiffness * diameter;
-    surface = {k_d, OBSTACLE_DAMPING * k_d, obstacles[k].friction, penetration, gap.normal, gap.curvature,
+    const double damping = std::max(OBSTACLE_DAMPING, STEP_DAMPING * state.contact.step) * k_d;
+    surface = {k_d, damping, obstacles[k].friction, penetration, gap.normal, gap.curvature,
                at.v - state.obstacles[k].velocity, Vector3::Zero(), state.contact.steady};
     if (!state.contact.obstacle.empty())
       surface.stretch = at.r + at.drift - state.contact.obstacle[at.index] -

@@ -108,6 +108,7 @@ void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, do
     to.position = from.position + h * from.velocity + h * h * ((0.5 - beta_) * from.aux + beta_ * to.aux);
   }
   trial_.contact = state.contact;
+  trial_.contact.step = h;
   placeEnds(model, ends);
 }
 
@@ -142,7 +143,7 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
   }
   const HeldEnds held = heldEnds(model);
   ResidualSize size = holdEnds(model, trial_.q, options_, held, residual_, reaction);
-  if (!(unbalanced <= size.largest))
+  if (unbalanced > size.largest || std::isnan(unbalanced))
     size.largest = unbalanced;
   if (model.bodies().vessel)
     vessel_.coupling.condense(residual_.front());

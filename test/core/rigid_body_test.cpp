@@ -34,7 +34,7 @@ CableModel alone(const RigidBody& body, const Environment& sea, double mass_per_
   p.length = 1.0;
   p.diameter = 1e-6;
   p.mass_per_length = mass_per_length;
-  p.axial_stiffness = 1e-6;
+  p.axial_stiffness = 1e-12;
   p.working_load = p.breaking_load = 1.0;
   CableModel model(p, 1, sea);
   model.setBodies({std::nullopt, body});

@@ -60,7 +60,7 @@ TEST(SteadyTow, EveryReferenceCaseWith50Elements)
     ends.velocity = {row.x[6], 0.0, 0.0};
     ends.vessel = {0.0, 0.0, -1.0};
     RigidBody body;
-  body.inertia = Vector3::Ones();
+    body.inertia = Vector3::Ones();
     body.mass = 1025.0;
     body.volume = 1.0;  // neutral
     body.force = {row.x[7], 0.0, row.x[8]};

@@ -32,6 +32,7 @@ struct ObstacleMotion
 struct ContactMemory
 {
   double time = 0.0;                      ///< [s] of these places.
+  double step = 0.0;                      ///< [s] of the step that is, or was, made: a contact is damped at least as it can resolve.
   bool steady = false;                    ///< steady motion: sliding friction against the velocity, no springs.
   std::vector<Vector3> seabed;            ///< [m]
   std::vector<Vector3> obstacle;          ///< [m] on the obstacle touched deepest.
