@@ -224,6 +224,19 @@ void forContacts(const CableModel& model, const CableState& state, int i, const 
 }
 }  // namespace
 
+ObstacleBorder borderFor(const CableModel& model, std::vector<int>& pushed)
+{
+  std::vector<bool> has_mass;
+  pushed.clear();
+  for (const Obstacle& obstacle : model.environment().obstacles)
+  {
+    has_mass.push_back(obstacle.mass > 0.0);
+    if (has_mass.back())
+      pushed.push_back(static_cast<int>(has_mass.size()) - 1);
+  }
+  return pushed.empty() ? ObstacleBorder() : ObstacleBorder(has_mass, model.nodes());
+}
+
 void addContact(const CableModel& model, const CableState& state, const TangentWeights& weights, NodeField& residual,
                 BlockTridiagonal* tangent, ObstacleBorder* border)
 {

@@ -6,19 +6,12 @@
 #include <stdexcept>
 
 #include "tether_monitor/core/bounds.h"
+#include "tether_monitor/core/rotation.h"
 
 namespace tether_monitor::core
 {
 namespace
 {
-Eigen::Quaterniond rotationBy(const Vector3& turn)
-{
-  const double angle = turn.norm();
-  const double sine = angle > 1e-8 ? std::sin(0.5 * angle) / angle : 0.5;
-  Eigen::Quaterniond q(std::cos(0.5 * angle), sine * turn.x(), sine * turn.y(), sine * turn.z());
-  return q;
-}
-
 AttachmentMotion motionOf(const CableState& state, std::size_t node)
 {
   return {state.q[node].head<3>(), state.v[node].head<3>(), state.a[node].head<3>()};
@@ -42,16 +35,7 @@ GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radi
 
 void GeneralizedAlpha::prepareObstacles(const CableModel& model)
 {
-  const std::vector<Obstacle>& obstacles = model.environment().obstacles;
-  std::vector<bool> has_mass;
-  pushed_.clear();
-  for (std::size_t k = 0; k < obstacles.size(); ++k)
-  {
-    has_mass.push_back(obstacles[k].mass > 0.0);
-    if (has_mass.back())
-      pushed_.push_back(static_cast<int>(k));
-  }
-  border_ = pushed_.empty() ? ObstacleBorder() : ObstacleBorder(has_mass, model.nodes());
+  border_ = borderFor(model, pushed_);
   beginContact(model, trial_);
 }
 

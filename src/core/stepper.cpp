@@ -25,12 +25,28 @@ std::vector<std::string> problems(const StepperOptions& options)
   check.within("spectral_radius", options.spectral_radius, 0.0, 1.0, "[-]");
   check.within("max_halvings", options.max_halvings, 0, 30, "[-]");
   check.within("max_iterations", options.max_iterations, 1, 1e6, "[-]");
+  check.within("corrections", options.corrections, 0, 100, "[-]");
+  check.require(options.courant > 0.0 && options.courant <= 1.0, "courant", options.courant, "> 0 and <= 1");
   return check.problems();
 }
 
 Stepper::Stepper(const CableModel& model, const StepperOptions& options)
   : options_(checked(options)), integrator_(model, options.spectral_radius, options.newton)
 {
+  if (options.scheme == Scheme::ABARBANEL_ZWAS)
+    explicit_.emplace(model, options.corrections);
+}
+
+void Stepper::prepareObstacles(const CableModel& model)
+{
+  integrator_.prepareObstacles(model);
+  if (explicit_)
+    explicit_->prepareObstacles(model);
+}
+
+SolveReport Stepper::step(CableModel& model, const EndPaths& ends, double h, CableState& state)
+{
+  return explicit_ ? explicit_->step(model, ends, h, state) : integrator_.step(model, ends, h, state);
 }
 
 SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_end, CableState& state)
@@ -39,9 +55,11 @@ SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_e
   const double duration = t_end - state.time;
   if (!(duration > 0.0))
     return total;
-  const double full_steps = std::ceil(duration / options_.step - 1e-9);
+  const double limit =
+      explicit_ ? std::min(options_.step, options_.courant * AbarbanelZwas::stableStep(model)) : options_.step;
+  const double full_steps = std::ceil(duration / limit - 1e-9);
   const double largest = duration / full_steps;
-  const double smallest = std::ldexp(options_.step, -options_.max_halvings);
+  const double smallest = std::ldexp(limit, -options_.max_halvings);
   const double budget = options_.max_iterations * full_steps;
 
   double h = state.step > 0.0 ? std::min(state.step * (1.0 + 1e-9), largest) : largest;
@@ -50,7 +68,7 @@ SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_e
     const double left = t_end - state.time;
     const double pieces = std::ceil(left / h - 1e-6);
     const double try_h = left / std::max(pieces, 1.0);
-    const SolveReport report = integrator_.step(model, ends, try_h, state);
+    const SolveReport report = step(model, ends, try_h, state);
     total.iterations += report.iterations;
     total.residual = report.residual;
     if (report.converged())
@@ -58,7 +76,7 @@ SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_e
       ++total.steps;
       if (pieces <= 1.0)
         state.time = t_end;
-      h = report.iterations <= EASY_ITERATIONS ? std::min(2.0 * try_h, largest) : try_h;
+      h = explicit_ || report.iterations <= EASY_ITERATIONS ? std::min(2.0 * try_h, largest) : try_h;
       state.step = h;
     }
     else

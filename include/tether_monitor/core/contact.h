@@ -12,6 +12,9 @@ namespace tether_monitor::core
 {
 class CableModel;
 
+/// A border for the obstacles of `model` that have a mass, and which they are.
+ObstacleBorder borderFor(const CableModel& model, std::vector<int>& pushed);
+
 /**
  * Adds the contact of a tether with the seabed and with obstacles to its residual, (M22) and (M23) of doc/model.md.
  *

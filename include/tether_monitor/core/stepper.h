@@ -1,9 +1,19 @@
 #pragma once
 
+#include <optional>
+
+#include "tether_monitor/core/abarbanel_zwas.h"
 #include "tether_monitor/core/integrator.h"
 
 namespace tether_monitor::core
 {
+/// Time schemes.
+enum class Scheme
+{
+  GENERALIZED_ALPHA,  ///< implicit, (M12).
+  ABARBANEL_ZWAS      ///< the paper's, explicit, (M25).
+};
+
 /// Bounds of the automatic step control.
 struct StepperOptions
 {
@@ -13,6 +23,9 @@ struct StepperOptions
   int max_iterations =
       400;  ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
   NewtonOptions newton;
+  Scheme scheme = Scheme::GENERALIZED_ALPHA;
+  int corrections = 8;   ///< of ABARBANEL_ZWAS, 0..100.
+  double courant = 0.9;  ///< its step over the stable one [-], 0 < courant <= 1.
 };
 
 /// Every bound of StepperOptions that `options` violates, one sentence each.
@@ -43,12 +56,15 @@ class Stepper
   SolveReport advance(CableModel& model, const EndPaths& ends, double t_end, CableState& state);
 
   /// Takes memory for the obstacles of `model`, after they changed.
-  void prepareObstacles(const CableModel& model) { integrator_.prepareObstacles(model); }
+  void prepareObstacles(const CableModel& model);
   const StepperOptions& options() const { return options_; }
 
  private:
+  SolveReport step(CableModel& model, const EndPaths& ends, double h, CableState& state);
+
   StepperOptions options_;
   GeneralizedAlpha integrator_;
+  std::optional<AbarbanelZwas> explicit_;
 };
 
 }  // namespace tether_monitor::core
