@@ -67,6 +67,8 @@ bool AlarmSet::update(const TetherEstimate& e)
         break;
       case Quantity::AGE:
         value = std::max(e.vessel_age, e.vehicle_age);
+        if (e.payout_age > value)
+          value = e.payout_age;
         break;
     }
     changed = alarms_[i].update(e.time, value, s) || changed;

@@ -10,6 +10,7 @@ namespace
 {
 constexpr double LARGEST_STRAIN = 0.1;  // [-]
 constexpr double LARGEST_TURN = 1.2;    // [rad] over one element
+constexpr double LARGEST_COMPRESSION = 0.5;  // loss of diameter [-]
 
 // Angle of a direction below the horizontal [rad].
 double angleBelow(const core::Vector3& direction)
@@ -50,8 +51,11 @@ void summarise(const core::CableModel& model, TetherEstimate& e)
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
 
-Reason modelRange(const TetherEstimate& e)
+Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
 {
+  for (int i = 0; i < model.elements(); ++i)
+    if (-e.stations.position[2 * i + 1].z() * model.element(i).compression > LARGEST_COMPRESSION)
+      return Reason::OUT_OF_RANGE;
   const auto [least, most] = std::minmax_element(e.stations.strain.begin(), e.stations.strain.end());
   if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN || *least < -LARGEST_STRAIN)
     return Reason::OUT_OF_RANGE;
@@ -68,6 +72,10 @@ void invalidate(Reason reason, TetherEstimate& e)
   e.working_utilisation_s = NONE;
   e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
   e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
+  e.seabed_contact_length = e.touchdown_s = NONE;
+  e.has_vehicle = false;
+  for (core::ContactSummary::Touch& touch : e.contact.obstacles)
+    touch = core::ContactSummary::Touch();
 }
 
 }  // namespace tether_monitor::monitor

@@ -42,6 +42,12 @@ std::vector<std::string> problems(const Config& c)
   if (c.vehicle_mode == VehicleMode::FREE)
     add(core::problems(c.vehicle_body), all);
 
+  if (c.winch)
+    add(core::problems(*c.winch, c.tether.diameter, c.tether.length, c.tether.min_bend_radius.value_or(0.0)), all);
+  core::BoundsCheck strumming("tether.");
+  strumming.within("drag_amplification", c.drag_amplification, 1.0, 10.0, "[-]");
+  add(strumming.problems(), all);
+
   core::BoundsCheck check("monitor.");
   check.within("rate", c.rate, 0.1, 1000.0, "Hz");
   check.positive("pose_timeout", c.pose_timeout, "s");

@@ -12,14 +12,13 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double SETTLING_RETRY = 1.0;       // [s] between attempts to find a steady state
-constexpr double LENGTH_TOLERANCE = 1.0e-3;  // relative change of the deployed length that makes the tether settle
+constexpr double FASTEST_WINCH = 4.5;        // [m/s]; faster is no pay-out but a leap of the report
+constexpr int STRUMMING_PASSES = 4;
+constexpr double STRUMMING_PERIOD = 1.0;     // [s] of model time between looks at strumming
 
 const Config& checked(const Config& config)
 {
-  std::vector<std::string> faults = problems(config);
-  if (config.vehicle_mode == VehicleMode::FREE)
-    faults.push_back("vehicle.mode = free (must be tracked here; a free vehicle is for tether_steady so far)");
-  core::throwIfAny("configuration of the monitor", faults);
+  core::throwIfAny("configuration of the monitor", problems(config));
   return config;
 }
 
@@ -34,6 +33,18 @@ void shift(double by, core::CableFittings& fittings)
     attachment.s += by;
 }
 
+core::CableModel modelOf(const Config& config)
+{
+  core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
+  if (config.vehicle_mode == VehicleMode::FREE)
+  {
+    core::RigidBody body = config.vehicle_body;
+    body.attachment = config.vehicle.attachment;
+    model.setBodies({std::nullopt, body});
+  }
+  return model;
+}
+
 core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 {
   return {end.position - origin, end.velocity};
@@ -42,13 +53,15 @@ core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
 
 TetherEstimator::TetherEstimator(const Config& config)
   : config_(checked(config)),
-    model_(config.tether, config.elements, config.environment, config.fittings),
+    model_(modelOf(config)),
     stepper_(model_, config.solver),
     statics_(model_.nodes()),
     alarms_(config),
+    strumming_at_(-std::numeric_limits<double>::infinity()),
     rejected_at_(-std::numeric_limits<double>::infinity())
 {
   estimate_.stations = core::StationField(config.elements);
+  estimate_.contact.obstacles.resize(config.environment.obstacles.size());
 }
 
 void TetherEstimator::setCurrent(const core::CurrentProfile& current)
@@ -56,25 +69,82 @@ void TetherEstimator::setCurrent(const core::CurrentProfile& current)
   model_.sea().setCurrent(current);
 }
 
-bool TetherEstimator::setPayout(double length, double rate)
+bool TetherEstimator::setDepth(double depth)
 {
-  if (!std::isfinite(length) || length <= 0.0 || std::isinf(rate))
+  if (!model_.sea().hasSeabed() || !std::isfinite(depth) || depth <= 0.0)
     return false;
-  estimate_.payout_rate = rate;
-  if (std::abs(length - model_.length()) <= LENGTH_TOLERANCE * model_.length())
-    return true;
-  // What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel.
+  model_.sea().setDepth(depth);
+  return true;
+}
+
+std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
+{
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    for (const std::string& fault : core::problems(obstacles[i], "obstacles[" + std::to_string(i) + "]."))
+      faults.push_back(fault);
+  if (!faults.empty())
+    return faults;
+  std::vector<core::Obstacle> now = obstacles;
+  if (settled_)
+    for (core::Obstacle& obstacle : now)
+      obstacle.position += (state_.time - t) * obstacle.velocity;
+
+  const std::vector<core::Obstacle>& old = model_.environment().obstacles;
+  const bool same = now.size() == old.size() &&
+                    std::equal(now.begin(), now.end(), old.begin(),
+                               [](const core::Obstacle& a, const core::Obstacle& b)
+                               { return a.name == b.name && (a.mass > 0.0) == (b.mass > 0.0); });
+  model_.sea().setObstacles(now);
+  if (same && settled_)
+  {
+    // The tether keeps its grip: only the surfaces move.
+    for (std::size_t k = 0; k < now.size(); ++k)
+    {
+      state_.obstacles[k].position = now[k].position - origin_;
+      state_.obstacles[k].velocity = now[k].velocity;
+    }
+    return {};
+  }
+  stepper_.prepareObstacles(model_);
+  estimate_.contact.obstacles.assign(now.size(), core::ContactSummary::Touch());
+  if (settled_)
+    core::beginContact(model_, state_);
+  return {};
+}
+
+bool TetherEstimator::isPossibleLength(double length) const
+{
+  if (!std::isfinite(length) || length <= 0.0)
+    return false;
   core::CableFittings fittings = config_.fittings;
   shift(length - config_.tether.length, fittings);
-  if (!core::problems(fittings, length).empty() ||
-      !core::elementCountProblems(config_.elements, length, fittings).empty())
+  return core::problems(fittings, length).empty() &&
+         core::elementCountProblems(config_.elements, length, fittings).empty();
+}
+
+bool TetherEstimator::addPayout(double t, double length, double rate)
+{
+  return isPossibleLength(length) && !std::isinf(rate) && payout_.add(t, length, rate);
+}
+
+// Another deployed length for a tether that is not in motion.
+bool TetherEstimator::setLength(double length)
+{
+  if (model_.canPayTo(length))
+  {
+    model_.setPayout({length, 0.0, 0.0});
+    return true;
+  }
+  if (!isPossibleLength(length))
     return false;
-  config_.fittings = fittings;
-  const core::CurrentProfile current = model_.environment().current;
-  config_.tether.length = length;
-  model_ = core::CableModel(config_.tether, config_.elements, config_.environment, config_.fittings);
-  model_.sea().setCurrent(current);
-  settled_ = announced_settling_ = false;
+  // What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel.
+  Config changed = config_;
+  shift(length - config_.tether.length, changed.fittings);
+  changed.tether.length = length;
+  const core::Sea sea = model_.sea();
+  model_ = modelOf(changed);
+  model_.sea() = sea;
   return true;
 }
 
@@ -84,6 +154,7 @@ void TetherEstimator::reset()
   vehicle_.clear();
   vessel_follower_.reset();
   vehicle_follower_.reset();
+  payout_.clear();
   settled_ = announced_settling_ = started_ = false;
   rejected_at_ = -std::numeric_limits<double>::infinity();
   alarms_.restartClocks();
@@ -98,8 +169,20 @@ core::EndPoint TetherEstimator::targetOf(const BodyTrack& track, const BodyConfi
 
 EndTargets TetherEstimator::targetsAt(double t)
 {
-  return {targetOf(vessel_, config_.vessel, t, vessel_follower_),
-          targetOf(vehicle_, config_.vehicle, t, vehicle_follower_), vessel_.age(t), vehicle_.age(t)};
+  EndTargets targets;
+  targets.vessel = targetOf(vessel_, config_.vessel, t, vessel_follower_);
+  targets.vessel_age = vessel_.age(t);
+  if (!isVehicleFree())
+  {
+    targets.vehicle = targetOf(vehicle_, config_.vehicle, t, vehicle_follower_);
+    targets.vehicle_age = vehicle_.age(t);
+  }
+  if (payout_.hasReport())
+  {
+    targets.payout = payout_.follow(t);
+    targets.payout_age = payout_.age(t);
+  }
+  return targets;
 }
 
 const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
@@ -109,6 +192,13 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
   invalidate(reason, estimate_);
   alarms_changed_ = alarms_.update(estimate_);
   return estimate_;
+}
+
+void TetherEstimator::lookAtAges(double t)
+{
+  estimate_.vessel_age = vessel_.age(t);
+  estimate_.vehicle_age = isVehicleFree() ? 0.0 : vehicle_.age(t);
+  estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
 const TetherEstimate& TetherEstimator::tick(double t)
@@ -123,19 +213,19 @@ const TetherEstimate& TetherEstimator::tick(double t)
     started_ = true;
     settled_ = announced_settling_ = false;
     retry_settling_at_ = t;
-    estimate_.vessel_age = vessel_.age(t);
-    estimate_.vehicle_age = vehicle_.age(t);
+    lookAtAges(t);
     return refuse(t, Reason::CLOCK_JUMP);
   }
   started_ = true;
-  estimate_.vessel_age = vessel_.age(t);
-  estimate_.vehicle_age = vehicle_.age(t);
+  lookAtAges(t);
   if (!std::isfinite(estimate_.vessel_age) || !std::isfinite(estimate_.vehicle_age))
     return refuse(t, Reason::NO_INPUT);
   if (estimate_.vessel_age > config_.invalid_timeout)
     return refuse(t, Reason::VESSEL_STALE);
   if (estimate_.vehicle_age > config_.invalid_timeout)
     return refuse(t, Reason::VEHICLE_STALE);
+  if (estimate_.payout_age > config_.invalid_timeout)
+    return refuse(t, Reason::PAYOUT_STALE);
   if (settled_)
     return advance(t, targetsAt(t));
   if (!announced_settling_)
@@ -154,14 +244,33 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
   origin_ = {ends.vessel.position.x(), ends.vessel.position.y(), 0.0};
   const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_,
                                 ends.vessel.velocity};
+  model_.sea().setOrigin(origin_);
+  settled_ = false;
+  retry_settling_at_ = t + SETTLING_RETRY;
+  if (ends.payout && !setLength(ends.payout->length))
+    return false;
+  model_.setPayout({model_.length(), 0.0, 0.0});
   core::NodeField shape;
   last_solve_ = statics_.solve(model_, steady, shape);
-  settled_ = last_solve_.converged();
-  if (settled_)
-    state_ = core::CableState(t, shape, ends.vessel.velocity);
-  else
-    retry_settling_at_ = t + SETTLING_RETRY;
-  return settled_;
+  if (!last_solve_.converged())
+    return false;
+  state_ = core::CableState(t, shape, ends.vessel.velocity);
+  if (config_.drag_amplification > 1.0)
+  {
+    // The tether strums where it flows; that changes its shape, and so the flow.
+    for (int pass = 0; pass < STRUMMING_PASSES && last_solve_.converged(); ++pass)
+    {
+      strumming_ = core::findStrumming(model_, state_, config_.drag_amplification);
+      last_solve_ = statics_.solveFrom(model_, steady, state_.q);
+    }
+    if (!last_solve_.converged())
+      return false;
+  }
+  core::beginContact(model_, state_);
+  payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
+  strumming_at_ = -std::numeric_limits<double>::infinity();
+  settled_ = true;
+  return true;
 }
 
 const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
@@ -169,6 +278,7 @@ const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
   announced_settling_ = started_ = true;
   estimate_.vessel_age = ends.vessel_age;
   estimate_.vehicle_age = ends.vehicle_age;
+  estimate_.payout_age = ends.payout_age;
   if (!settle(t, ends))
     return refuse(t, Reason::NOT_CONVERGED);
   return publish(ends);
@@ -185,15 +295,31 @@ const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
     return begin(t, ends);
   estimate_.vessel_age = ends.vessel_age;
   estimate_.vehicle_age = ends.vehicle_age;
+  estimate_.payout_age = ends.payout_age;
   if (t > state_.time)
   {
     const auto now = [&](std::size_t node) {
       return core::EndPoint{state_.q[node].head<3>(), state_.v[node].head<3>()};
     };
-    const core::EndPaths paths{
-        core::EndPath::between(state_.time, now(0), t, shifted(ends.vessel, origin_)),
-        core::EndPath::between(state_.time, now(state_.q.size() - 1), t, shifted(ends.vehicle, origin_))};
+    core::EndPaths paths;
+    paths.vessel = core::EndPath::between(state_.time, now(0), t, shifted(ends.vessel, origin_));
+    if (!isVehicleFree())
+      paths.vehicle =
+          core::EndPath::between(state_.time, now(state_.q.size() - 1), t, shifted(ends.vehicle, origin_));
+    paths.vehicle_thrust = thrust_;
+    if (ends.payout)
+    {
+      const double mean = (ends.payout->length - model_.length()) / (t - state_.time);
+      if (std::abs(mean) > FASTEST_WINCH || !model_.canPayTo(ends.payout->length))
+      {
+        announced_settling_ = true;
+        retry_settling_at_ = t;
+        return refuse(t, Reason::SETTLING);
+      }
+      paths.payout = core::PayoutPath::between(state_.time, {model_.length(), payout_rate_, 0.0}, t, *ends.payout);
+    }
     last_solve_ = stepper_.advance(model_, paths, t, state_);
+    payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
     count_.steps += last_solve_.steps;
     count_.rejected += last_solve_.rejected;
     count_.iterations += last_solve_.iterations;
@@ -212,11 +338,43 @@ Reason TetherEstimator::degradation(const EndTargets& ends) const
     return Reason::VESSEL_STALE;
   if (ends.vehicle_age > config_.pose_timeout)
     return Reason::VEHICLE_STALE;
-  const Reason range = modelRange(estimate_);
+  if (ends.payout_age > config_.pose_timeout)
+    return Reason::PAYOUT_STALE;
+  const Reason range = modelRange(model_, estimate_);
   if (range != Reason::NONE)
     return range;
   const double since_rejection = estimate_.time - rejected_at_;
   return since_rejection >= 0.0 && since_rejection <= config_.pose_timeout ? Reason::REJECTED_INPUT : Reason::NONE;
+}
+
+void TetherEstimator::describeContact()
+{
+  core::summariseContact(model_, state_, estimate_.contact);
+  estimate_.seabed_contact_length = estimate_.contact.seabed_length;
+  estimate_.touchdown_s = estimate_.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : estimate_.contact.touchdown_s;
+  for (core::ContactSummary::Touch& touch : estimate_.contact.obstacles)
+    touch.place += origin_;
+}
+
+void TetherEstimator::describeVehicle()
+{
+  estimate_.has_vehicle = isVehicleFree();
+  if (!estimate_.has_vehicle)
+    return;
+  const core::Rotation& rotation = state_.vehicle;
+  const core::Vector3 lever = rotation.orientation * config_.vehicle.attachment;
+  estimate_.vehicle.orientation = rotation.orientation;
+  estimate_.vehicle.angular_velocity = rotation.orientation * rotation.velocity;
+  estimate_.vehicle.position = state_.q.back().head<3>() + origin_ - lever;
+  estimate_.vehicle.velocity = state_.v.back().head<3>() - estimate_.vehicle.angular_velocity.cross(lever);
+}
+
+void TetherEstimator::lookAtStrumming()
+{
+  if (state_.time < strumming_at_ + STRUMMING_PERIOD && state_.time >= strumming_at_)
+    return;
+  strumming_at_ = state_.time;
+  strumming_ = core::findStrumming(model_, state_, config_.drag_amplification);
 }
 
 const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
@@ -226,7 +384,11 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
   for (core::Vector3& position : estimate_.stations.position)
     position += origin_;
   estimate_.has_stations = true;
+  estimate_.payout_rate = ends.payout ? payout_rate_ : TetherEstimate::NONE;
   summarise(model_, estimate_);
+  describeContact();
+  describeVehicle();
+  lookAtStrumming();
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
     return refuse(state_.time, Reason::NOT_CONVERGED);

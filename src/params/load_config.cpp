@@ -1,7 +1,9 @@
 #include "tether_monitor/params/load_config.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "tether_monitor/params/depth_grid.h"
 #include "tether_monitor/params/reader.h"
 
 namespace tether_monitor::params
@@ -23,22 +25,89 @@ core::CurrentProfile loadCurrent(Reader& in)
   return faults.empty() ? core::CurrentProfile(samples) : core::CurrentProfile();
 }
 
-core::Environment loadEnvironment(Reader in)
+core::WaveProperties loadWaves(Reader in)
+{
+  core::WaveProperties waves;
+  waves.amplitude = in.number("amplitude", waves.amplitude);
+  waves.length = in.number("length", waves.length);
+  waves.direction = in.number("direction", waves.direction);
+  waves.phase = in.number("phase", waves.phase);
+  in.finish();
+  return waves;
+}
+
+core::Seabed loadSeabed(Reader in, const std::string& folder)
+{
+  core::Seabed seabed;
+  seabed.depth = in.number("depth", seabed.depth);
+  const core::Vector3 slope = in.pair("slope", core::Vector3::Zero());
+  seabed.slope = slope.head<2>();
+  seabed.normal_stiffness = in.number("normal_stiffness", seabed.normal_stiffness);
+  seabed.damping = in.number("damping", seabed.damping);
+  seabed.friction = in.number("friction", seabed.friction);
+  const std::string grid = in.text("grid", "");
+  if (!grid.empty())
+  {
+    try
+    {
+      seabed.grid = std::make_shared<const core::DepthGrid>(readDepthGrid(fileBeside(folder, grid)));
+    }
+    catch (const std::exception& error)
+    {
+      in.report({std::string("environment.seabed.grid: ") + error.what()});
+    }
+  }
+  in.finish();
+  return seabed;
+}
+
+core::ObstacleShape loadShape(Reader& in)
+{
+  // As a word, or as the number of Obstacle.msg.
+  const std::string word = in.word("shape");
+  if (word == "sphere" || word == "SPHERE" || word == "0")
+    return core::ObstacleShape::SPHERE;
+  if (word == "cylinder" || word == "CYLINDER" || word == "1")
+    return core::ObstacleShape::CYLINDER;
+  if (!word.empty() && word != "box" && word != "BOX" && word != "2")
+    in.fault("shape", " = '" + word + "' (must be sphere, cylinder or box)");
+  return core::ObstacleShape::BOX;
+}
+
+core::Obstacle loadObstacle(Reader in)
+{
+  core::Obstacle obstacle;
+  obstacle.name = in.text("name", "");
+  obstacle.shape = loadShape(in);
+  Reader pose = in.child("pose");
+  obstacle.position = pose.vector("position");
+  const std::vector<double> q = pose.numbers("orientation", {0.0, 0.0, 0.0, 1.0}, 4, 4);
+  obstacle.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+  pose.finish();
+  const std::size_t sizes = static_cast<std::size_t>(obstacle.shape) + 1;
+  const std::vector<double> size = in.numbers("size", {}, sizes, sizes);
+  for (std::size_t i = 0; i < size.size(); ++i)
+    obstacle.size[static_cast<int>(i)] = size[i];
+  obstacle.velocity = in.vector("velocity", obstacle.velocity);
+  obstacle.mass = in.number("mass", obstacle.mass);
+  obstacle.friction = in.number("friction", obstacle.friction);
+  obstacle.stiffness = in.number("stiffness", obstacle.stiffness);
+  in.finish();
+  return obstacle;
+}
+
+core::Environment loadEnvironment(Reader in, const std::string& folder)
 {
   core::Environment sea;
   sea.water_density = in.number("water_density", sea.water_density);
   sea.gravity = in.number("gravity", sea.gravity);
   sea.current = loadCurrent(in);
-  for (const char* key : {"wind", "obstacles", "seabed"})
-    in.notBuiltYet(key);
-  if (in.has("waves"))
-  {
-    Reader waves = in.child("waves");
-    waves.notBuiltYet("amplitude");
-    for (const char* key : {"length", "direction", "phase"})
-      waves.number(key, 0.0);
-    waves.finish();
-  }
+  sea.waves = loadWaves(in.child("waves"));
+  sea.wind = in.vector("wind", sea.wind);
+  if (in.has("seabed"))
+    sea.seabed = loadSeabed(in.child("seabed"), folder);
+  for (Reader& entry : in.children("obstacles"))
+    sea.obstacles.push_back(loadObstacle(entry));
   in.finish();
   return sea;
 }
@@ -60,8 +129,8 @@ void loadProperties(Reader& in, const core::CableProperties* base, core::CablePr
     p.load_area = in.optionalNumber("load_area");
   required("working_load", &core::CableProperties::working_load);
   required("breaking_load", &core::CableProperties::breaking_load);
-  for (const char* key : {"hydrostatic_compression", "permanent_elongation"})
-    in.notBuiltYet(key);
+  p.hydrostatic_compression = in.number("hydrostatic_compression", p.hydrostatic_compression);
+  p.permanent_elongation = in.number("permanent_elongation", p.permanent_elongation);
 }
 
 core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether)
@@ -98,6 +167,7 @@ void loadTether(Reader in, monitor::Config& config)
   config.elements = in.integer("elements");
   loadProperties(in, nullptr, p);
   p.min_bend_radius = in.optionalNumber("min_bend_radius");
+  config.drag_amplification = in.number("drag_amplification", config.drag_amplification);
   config.fittings = loadFittings(in, p);
   in.finish();
 }
@@ -117,6 +187,16 @@ monitor::BodyConfig loadVessel(Reader in)
   return body;
 }
 
+std::optional<core::WinchProperties> loadWinch(Reader in)
+{
+  core::WinchProperties winch;
+  winch.core_diameter = in.number("core_diameter");
+  winch.width = in.number("width");
+  winch.layers = in.integer("layers");
+  in.finish();
+  return winch;
+}
+
 void loadVehicle(Reader in, monitor::Config& config)
 {
   config.vehicle = loadBody(in);
@@ -124,12 +204,7 @@ void loadVehicle(Reader in, monitor::Config& config)
   if (mode == "free")
   {
     config.vehicle_mode = monitor::VehicleMode::FREE;
-    core::RigidBody& body = config.vehicle_body;
-    body.mass = in.number("mass");
-    body.volume = in.number("volume");
-    body.inertia = in.vector("inertia");
-    body.drag_area = in.vector("drag_area");
-    body.force = in.vector("force", body.force);
+    config.vehicle_body = loadRigidBody(in);
   }
   else if (mode != "tracked")
   {
@@ -142,8 +217,12 @@ core::StepperOptions loadSolver(Reader in)
 {
   core::StepperOptions options;
   const std::string integrator = in.text("integrator", "generalized_alpha");
-  if (integrator != "generalized_alpha")
-    in.report({"solver.integrator = '" + integrator + "' (must be generalized_alpha)"});
+  if (integrator == "abarbanel_zwas")
+    options.scheme = core::Scheme::ABARBANEL_ZWAS;
+  else if (integrator != "generalized_alpha")
+    in.report({"solver.integrator = '" + integrator + "' (must be generalized_alpha or abarbanel_zwas)"});
+  options.corrections = in.integer("corrections", options.corrections);
+  options.courant = in.number("courant", options.courant);
   options.step = in.number("step", options.step);
   options.spectral_radius = in.number("spectral_radius", options.spectral_radius);
   in.finish();
@@ -182,18 +261,35 @@ void loadMonitor(Reader in, monitor::Config& config)
 }
 }  // namespace
 
-monitor::Config loadConfig(const Value& tree, const std::string& where)
+core::RigidBody loadRigidBody(Reader& in)
+{
+  core::RigidBody body;
+  body.mass = in.number("mass");
+  body.volume = in.number("volume");
+  body.inertia = in.vector("inertia");
+  body.drag_area = in.vector("drag_area");
+  body.added_mass = in.vector("added_mass", body.added_mass);
+  body.added_inertia = in.vector("added_inertia", body.added_inertia);
+  body.rotational_drag = in.vector("rotational_drag", body.rotational_drag);
+  body.center_of_buoyancy = in.vector("center_of_buoyancy", body.center_of_buoyancy);
+  body.force = in.vector("force", body.force);
+  return body;
+}
+
+monitor::Config loadConfig(const Value& tree, const std::string& where, const std::string& folder)
 {
   Reader in(tree);
   monitor::Config config;
   config.world_frame = in.text("world_frame", config.world_frame);
-  config.environment = loadEnvironment(in.child("environment"));
+  config.environment = loadEnvironment(in.child("environment"), folder);
   loadTether(in.child("tether"), config);
   config.vessel = loadVessel(in.child("vessel"));
   loadVehicle(in.child("vehicle"), config);
   config.solver = loadSolver(in.child("solver"));
   loadMonitor(in.child("monitor"), config);
-  in.notBuiltYet("winch");
+  if (in.has("winch"))
+    config.winch = loadWinch(in.child("winch"));
+  in.ignore("simulation");         // of tether_sim_node
   in.ignore("diagnostic_period");  // of diagnostic_updater
   in.finish();
 

@@ -19,21 +19,6 @@ std::string joined(const std::string& where, const std::vector<std::string>& fau
   return text;
 }
 
-std::optional<double> parseNumber(const std::string& text);
-
-bool isNeutral(const Value& value)
-{
-  if (const auto* text = value.get<std::string>())
-    return text->empty() || parseNumber(*text).value_or(1.0) == 0.0;
-  if (const auto* number = value.get<double>())
-    return *number == 0.0;
-  if (const auto* whole = value.get<long>())
-    return *whole == 0;
-  if (const auto* list = value.get<Value::List>())
-    return std::all_of(list->begin(), list->end(), isNeutral);
-  return value.isNull();
-}
-
 // Whole text as a number, else nothing. Hexadecimal, "inf" and "nan" are no numbers for a parameter.
 std::optional<double> parseNumber(const std::string& text)
 {
@@ -130,13 +115,6 @@ int Reader::integer(const char* key)
   return require(key) ? integer(key, 1) : 1;
 }
 
-void Reader::notBuiltYet(const char* key)
-{
-  const Value* value = find(key);
-  if (value && !isNeutral(*value))
-    fault(key, " = " + value->show() + " asks for what is not built yet");
-}
-
 int Reader::integer(const char* key, int fallback)
 {
   const Value* value = find(key);
@@ -183,25 +161,53 @@ core::Vector3 Reader::vector(const char* key)
 
 core::Vector3 Reader::vector(const char* key, const core::Vector3& fallback)
 {
-  const Value* value = find(key);
+  const std::vector<double> x = numbers(key, {fallback.x(), fallback.y(), fallback.z()}, 3, 3);
+  return {x[0], x[1], x[2]};
+}
+
+core::Vector3 Reader::pair(const char* key, const core::Vector3& fallback)
+{
+  const std::vector<double> x = numbers(key, {fallback.x(), fallback.y()}, 2, 2);
+  return {x[0], x[1], 0.0};
+}
+
+std::vector<double> Reader::numbers(const char* key, const std::vector<double>& fallback, std::size_t least,
+                                    std::size_t most)
+{
+  const Value* value = fallback.empty() ? require(key) : find(key);
   if (!value)
     return fallback;
   const auto* list = value->get<Value::List>();
-  if (!list || list->size() != 3)
+  if (!list || list->size() < least || list->size() > most)
   {
-    fault(key, " = " + value->show() + " is not a list of three numbers");
+    static const char* const COUNT[] = {"no", "one", "two", "three", "four"};
+    fault(key, " = " + value->show() + " is not a list of " + COUNT[std::min<std::size_t>(most, 4)] +
+                   (most == 1 ? " number" : " numbers"));
     return fallback;
   }
-  core::Vector3 vector;
-  for (int i = 0; i < 3; ++i)
+  std::vector<double> all;
+  for (std::size_t i = 0; i < list->size(); ++i)
   {
     const std::string name = std::string(key) + "[" + std::to_string(i) + "]";
     const std::optional<double> number = toNumber(name.c_str(), (*list)[i]);
     if (!number)
       return fallback;
-    vector[i] = *number;
+    all.push_back(*number);
   }
-  return vector;
+  return all;
+}
+
+std::string Reader::word(const char* key)
+{
+  const Value* value = require(key);
+  if (!value)
+    return "";
+  if (const auto* text = value->get<std::string>())
+    return *text;
+  if (const auto* number = value->get<long>())
+    return std::to_string(*number);
+  fault(key, " = " + value->show() + " is not a word");
+  return "";
 }
 
 Reader Reader::child(const char* key)

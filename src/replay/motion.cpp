@@ -16,7 +16,7 @@ namespace
 class Columns
 {
  public:
-  explicit Columns(const CsvTable& table) : table_(table) {}
+  explicit Columns(const params::CsvTable& table) : table_(table) {}
 
   std::vector<double> scalar(const std::string& name)
   {
@@ -61,13 +61,13 @@ class Columns
  private:
   std::string atHeader() const { return table_.path + ", line " + std::to_string(table_.header_line) + ": "; }
 
-  const CsvTable& table_;
+  const params::CsvTable& table_;
   std::set<std::string> wanted_;
 };
 
 const std::vector<std::string> XYZ{"x", "y", "z"};
 
-BodyMotion readBody(const CsvTable& table, const std::string& name, const std::vector<double>& t, Columns& in)
+BodyMotion readBody(const params::CsvTable& table, const std::string& name, const std::vector<double>& t, Columns& in)
 {
   BodyMotion body;
   body.position = in.vector(name + "_");
@@ -87,9 +87,16 @@ BodyMotion readBody(const CsvTable& table, const std::string& name, const std::v
   }
   return body;
 }
+void refuseVehicle(const params::CsvTable& table)
+{
+  for (const std::string& column : table.columns)
+    if (column.rfind("vehicle_", 0) == 0)
+      throw std::runtime_error(table.path + ", line " + std::to_string(table.header_line) + ": column " + column +
+                               " is not for a free vehicle: it finds its own way");
+}
 }  // namespace
 
-Motion::Motion(const CsvTable& table)
+Motion::Motion(const params::CsvTable& table, bool free_vehicle)
 {
   Columns in(table);
   t_ = in.scalar("t");
@@ -100,12 +107,22 @@ Motion::Motion(const CsvTable& table)
       throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) +
                                ": t does not increase from the row before");
   vessel_ = readBody(table, "vessel", t_, in);
-  vehicle_ = readBody(table, "vehicle", t_, in);
+  if (!free_vehicle)
+    vehicle_ = readBody(table, "vehicle", t_, in);
+  else
+    refuseVehicle(table);
   if (in.has("payout", {""}))
-    payout_ = in.scalar("payout");
-  for (std::size_t i = 0; i < payout_.size(); ++i)
-    if (!(payout_[i] > 0.0))
-      throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) + ": payout must be > 0 m");
+    for (const double length : in.scalar("payout"))
+    {
+      payout_.position.emplace_back(length, 0.0, 0.0);
+      if (!(length > 0.0))
+        throw std::runtime_error(table.path + ", line " +
+                                 std::to_string(table.lines[payout_.position.size() - 1]) + ": payout must be > 0 m");
+    }
+  if (hasPayout())
+    payout_.velocity = splineVelocities(t_, payout_.position);
+  if (free_vehicle && in.has("thrust_", XYZ))
+    thrust_ = in.vector("thrust_");
   if (in.has("current_", XYZ))
     current_ = in.vector("current_");
   in.finish();
@@ -151,20 +168,28 @@ monitor::BodyState Motion::at(const BodyMotion& body, double t) const
   return state;
 }
 
-double Motion::payout(double t) const
+core::PayoutMotion Motion::payout(double t) const
+{
+  const monitor::BodyState now = at(payout_, t);
+  return {now.position.x(), now.velocity.x(), 0.0};
+}
+
+core::Vector3 Motion::linear(const std::vector<core::Vector3>& column, double t) const
 {
   if (t_.size() == 1)
-    return payout_[0];
+    return column[0];
   const std::size_t i = interval(t);
-  return payout_[i] + share(i, t) * (payout_[i + 1] - payout_[i]);
+  return column[i] + share(i, t) * (column[i + 1] - column[i]);
 }
 
 core::Vector3 Motion::current(double t) const
 {
-  if (t_.size() == 1)
-    return current_[0];
-  const std::size_t i = interval(t);
-  return current_[i] + share(i, t) * (current_[i + 1] - current_[i]);
+  return linear(current_, t);
+}
+
+core::Vector3 Motion::thrust(double t) const
+{
+  return linear(thrust_, t);
 }
 
 }  // namespace tether_monitor::replay

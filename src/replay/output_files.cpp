@@ -68,39 +68,80 @@ void makeFolder(const std::string& path)
     throw std::runtime_error("cannot make the folder " + path + (error ? ": " + error.message() : ""));
 }
 
-EndsFile::EndsFile(const std::string& folder, bool with_vehicle)
-  : csv_(folder + "/ends.csv",
+namespace
+{
+const char* header(VehicleColumns vehicle)
+{
+  switch (vehicle)
+  {
+    case VehicleColumns::RELATIVE:
+      return ",vehicle_x,vehicle_y,vehicle_z";
+    case VehicleColumns::POSE:
+      return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw";
+    case VehicleColumns::NONE:
+      break;
+  }
+  return "";
+}
+}  // namespace
+
+EndsFile::EndsFile(const std::string& folder, VehicleColumns vehicle)
+  : vehicle_(vehicle),
+    csv_(folder + "/ends.csv",
          std::string("t,vessel_fx,vessel_fy,vessel_fz,vehicle_fx,vehicle_fy,vehicle_fz,max_tension,max_tension_s,"
                      "stretched_length,status") +
-             (with_vehicle ? ",vehicle_x,vehicle_y,vehicle_z" : ""))
+             header(vehicle))
 {
-}
-
-void EndsFile::writeColumns(const TetherEstimate& e)
-{
-  csv_.time(e.time);
-  for (const core::Vector3& force : {e.stations.ends.vessel, e.stations.ends.vehicle})
-    for (int i = 0; i < 3; ++i)
-      csv_.number(e.has_stations ? force[i] : TetherEstimate::NONE);
-  csv_.number(e.max_tension).number(e.max_tension_s);
-  csv_.number(e.has_stations ? e.stations.stretched_length : TetherEstimate::NONE);
-  csv_.text(describe(e.status));
 }
 
 void EndsFile::write(const TetherEstimate& e)
 {
-  writeColumns(e);
+  constexpr double NONE = TetherEstimate::NONE;
+  csv_.time(e.time);
+  for (const core::Vector3& force : {e.stations.ends.vessel, e.stations.ends.vehicle})
+    for (int i = 0; i < 3; ++i)
+      csv_.number(e.has_stations ? force[i] : NONE);
+  csv_.number(e.max_tension).number(e.max_tension_s);
+  csv_.number(e.has_stations ? e.stations.stretched_length : NONE);
+  csv_.text(describe(e.status));
+  if (vehicle_ == VehicleColumns::RELATIVE)
+  {
+    const core::Vector3 way = e.has_stations
+                                  ? core::Vector3(e.stations.position.back() - e.stations.position.front())
+                                  : core::Vector3::Constant(NONE);
+    csv_.number(way.x()).number(way.y()).number(way.z());
+  }
+  if (vehicle_ == VehicleColumns::POSE)
+  {
+    for (int i = 0; i < 3; ++i)
+      csv_.number(e.has_vehicle ? e.vehicle.position[i] : NONE);
+    for (int i = 0; i < 4; ++i)
+      csv_.number(e.has_vehicle ? e.vehicle.orientation.coeffs()[i] : NONE);
+  }
   csv_.endRow();
 }
 
-void EndsFile::write(const TetherEstimate& e, const core::Vector3& vehicle)
+ContactsFile::ContactsFile(const std::string& folder)
+  : csv_(folder + "/contacts.csv", "t,obstacle,fx,fy,fz,x,y,z,s")
 {
-  writeColumns(e);
-  csv_.number(vehicle.x()).number(vehicle.y()).number(vehicle.z()).endRow();
+}
+
+void ContactsFile::write(const TetherEstimate& e, const std::vector<core::Obstacle>& obstacles)
+{
+  for (std::size_t k = 0; k < obstacles.size() && k < e.contact.obstacles.size(); ++k)
+  {
+    const core::ContactSummary::Touch& touch = e.contact.obstacles[k];
+    if (!(touch.total > 0.0))
+      continue;
+    csv_.time(e.time).text(obstacles[k].name);
+    for (const core::Vector3& v : {touch.force, touch.place})
+      csv_.number(v.x()).number(v.y()).number(v.z());
+    csv_.number(touch.s).endRow();
+  }
 }
 
 ShapeFile::ShapeFile(const std::string& folder)
-  : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius")
+  : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius,stress")
 {
 }
 
@@ -116,8 +157,31 @@ void ShapeFile::write(const TetherEstimate& e)
         .number(at.position[i].x())
         .number(at.position[i].y())
         .number(at.position[i].z());
-    csv_.number(at.tension[i]).number(at.strain[i]).number(at.bend_radius[i]).endRow();
+    csv_.number(at.tension[i]).number(at.strain[i]).number(at.bend_radius[i]).number(at.stress[i]).endRow();
   }
+}
+
+void writeModes(const std::string& folder, const std::vector<core::Mode>& modes, const std::vector<double>& node_s)
+{
+  CsvWriter frequencies(folder + "/modes.csv", "mode,kind,frequency_hz");
+  CsvWriter shapes(folder + "/mode_shapes.csv", "mode,s,dx,dy,dz");
+  for (std::size_t k = 0; k < modes.size(); ++k)
+  {
+    const double number = static_cast<double>(k + 1);
+    frequencies.number(number)
+        .text(modes[k].kind == core::ModeKind::AXIAL ? "axial" : "transverse")
+        .number(modes[k].frequency)
+        .endRow();
+    for (std::size_t i = 0; i < node_s.size(); ++i)
+      shapes.number(number)
+          .number(node_s[i])
+          .number(modes[k].shape[i][0])
+          .number(modes[k].shape[i][1])
+          .number(modes[k].shape[i][2])
+          .endRow();
+  }
+  frequencies.close();
+  shapes.close();
 }
 
 AlarmsFile::AlarmsFile(const std::string& folder)

@@ -31,8 +31,8 @@ nlohmann::json orNull(double value)
 }
 }  // namespace
 
-Recorder::Recorder(const std::string& folder, double shape_rate)
-  : folder_(prepared(folder)), shape_rate_(shape_rate), ends_(folder), alarms_(folder)
+Recorder::Recorder(const std::string& folder, double shape_rate, VehicleColumns vehicle)
+  : folder_(prepared(folder)), shape_rate_(shape_rate), ends_(folder, vehicle), alarms_(folder)
 {
   if (shape_rate > 0.0)
     shape_ = std::make_unique<ShapeFile>(folder);
@@ -70,6 +70,11 @@ void Recorder::write(const monitor::TetherEstimator& estimator)
   const monitor::TetherEstimate& e = estimator.estimate();
   ends_.write(e);
   ++status_count_[static_cast<int>(e.status)];
+  const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
+  if (!contacts_ && !obstacles.empty())
+    contacts_ = std::make_unique<ContactsFile>(folder_);
+  if (contacts_)
+    contacts_->write(e, obstacles);
   if (shape_ && e.has_stations && e.time >= next_shape_ - 1e-9)
   {
     shape_->write(e);
@@ -101,6 +106,8 @@ void Recorder::finish(const monitor::TetherEstimator& estimator)
   alarms_.close();
   if (shape_)
     shape_->close();
+  if (contacts_)
+    contacts_->close();
 }
 
 }  // namespace tether_monitor::replay

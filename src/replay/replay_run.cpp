@@ -8,8 +8,13 @@ namespace
 {
 monitor::EndTargets targets(const Motion& motion, const monitor::Config& config, double t)
 {
-  return {motion.vessel(t).attachmentPoint(config.vessel.attachment),
-          motion.vehicle(t).attachmentPoint(config.vehicle.attachment), 0.0, 0.0};
+  monitor::EndTargets targets;
+  targets.vessel = motion.vessel(t).attachmentPoint(config.vessel.attachment);
+  if (config.vehicle_mode != monitor::VehicleMode::FREE)
+    targets.vehicle = motion.vehicle(t).attachmentPoint(config.vehicle.attachment);
+  if (motion.hasPayout())
+    targets.payout = motion.payout(t);
+  return targets;
 }
 
 std::vector<double> outputTimes(const Motion& motion, double rate)
@@ -32,8 +37,8 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
   {
     if (motion.hasCurrent())
       estimator.setCurrent(core::CurrentProfile(motion.current(t)));
-    if (motion.hasPayout())
-      estimator.setPayout(motion.payout(t));
+    if (motion.hasThrust())
+      estimator.setThrust({motion.thrust(t), core::Vector3::Zero()});
   };
   for (std::size_t i = 0; i < times.size(); ++i)
   {

@@ -1,36 +1,29 @@
 #include "tether_monitor/replay/steady_state.h"
 
-#include "tether_monitor/core/bounds.h"
-#include "tether_monitor/core/statics.h"
-#include "tether_monitor/monitor/assessment.h"
+#include "tether_monitor/monitor/tether_estimator.h"
 
 namespace tether_monitor::replay
 {
 SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& vessel,
-                            const core::Vector3& vehicle, const core::Vector3& velocity)
+                            const core::Vector3& vehicle, const core::Vector3& velocity, int modes)
 {
-  core::throwIfAny("configuration", problems(config));
-  core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
-  const core::SteadyEnds ends{vessel + config.vessel.attachment, vehicle + config.vehicle.attachment, velocity};
-  if (config.vehicle_mode == monitor::VehicleMode::FREE)
-    model.setBodies({std::nullopt, config.vehicle_body});
+  monitor::Config calm = config;
+  calm.environment.waves.amplitude = 0.0;
+  monitor::TetherEstimator estimator(calm);
+  monitor::EndTargets ends;
+  ends.vessel = {vessel + config.vessel.attachment, velocity};
+  ends.vehicle = {vehicle + config.vehicle.attachment, velocity};
 
   SteadyState result;
-  core::NodeField shape;
-  core::Statics statics(model.nodes());
-  result.report = statics.solve(model, ends, shape);
-  monitor::TetherEstimate& e = result.estimate;
-  if (!result.report.converged())
-  {
-    monitor::invalidate(monitor::Reason::NOT_CONVERGED, e);
+  result.estimate = estimator.begin(0.0, ends);
+  result.report = estimator.lastSolve();
+  if (!result.estimate.has_stations)
     return result;
-  }
-  e.stations = core::StationField(config.elements);
-  core::computeStations(model, core::CableState(0.0, shape, velocity), e.stations);
-  e.has_stations = true;
-  monitor::summarise(model, e);
-  e.reason = monitor::modelRange(e);
-  e.status = e.reason == monitor::Reason::NONE ? monitor::Status::OK : monitor::Status::DEGRADED;
+  result.strumming = estimator.strumming();
+  if (modes > 0)
+    result.modes = core::naturalModes(estimator.model(), estimator.state(), modes);
+  for (int i = 0; i < estimator.model().nodes(); ++i)
+    result.node_s.push_back(estimator.model().arcLength(i));
   return result;
 }
 

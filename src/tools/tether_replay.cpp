@@ -6,7 +6,7 @@
 
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/yaml_file.h"
-#include "tether_monitor/replay/csv_table.h"
+#include "tether_monitor/params/csv_table.h"
 #include "tether_monitor/replay/replay_run.h"
 #include "tether_monitor/ros/bag_replay.h"
 
@@ -31,6 +31,12 @@ void showProgress(double share)
                share >= 1.0 ? "\n" : "");
 }
 
+tether_monitor::replay::VehicleColumns recordedVehicle(const tether_monitor::monitor::TetherEstimator& estimator)
+{
+  using tether_monitor::replay::VehicleColumns;
+  return estimator.isVehicleFree() ? VehicleColumns::POSE : VehicleColumns::NONE;
+}
+
 void replay(const Arguments& arguments)
 {
   using namespace tether_monitor;
@@ -42,14 +48,14 @@ void replay(const Arguments& arguments)
 
   if (!arguments.motion.empty())
   {
-    const replay::Motion motion(replay::readCsv(arguments.motion));
-    replay::Recorder recorder(arguments.out, arguments.shape_rate);
+    const replay::Motion motion(params::readCsv(arguments.motion), estimator.isVehicleFree());
+    replay::Recorder recorder(arguments.out, arguments.shape_rate, recordedVehicle(estimator));
     replay::replayMotion(motion, options, estimator, recorder);
     recorder.finish(estimator);
   }
   else
   {
-    replay::Recorder recorder(arguments.out, arguments.shape_rate);
+    replay::Recorder recorder(arguments.out, arguments.shape_rate, recordedVehicle(estimator));
     for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
       std::cerr << "warning: " << warning << "\n";
     recorder.finish(estimator);

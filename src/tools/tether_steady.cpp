@@ -30,8 +30,31 @@ struct Arguments
   std::string vessel_position = "0,0,0";
   std::string vehicle_position;
   std::string vessel_velocity = "0,0,0";
+  int modes = 0;
   bool quiet = false;
 };
+
+void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& arguments)
+{
+  const tether_monitor::monitor::TetherEstimate& estimate = steady.estimate;
+  std::cout << describe(estimate.status) << " "
+            << (estimate.reason == tether_monitor::monitor::Reason::NONE ? "" : describe(estimate.reason))
+            << "\ntension at the vessel end " << estimate.vessel_tension << " N, at the vehicle end "
+            << estimate.vehicle_tension << " N, largest " << estimate.max_tension
+            << " N at s = " << estimate.max_tension_s << " m\n";
+  if (estimate.seabed_contact_length > 0.0)
+    std::cout << estimate.seabed_contact_length << " m lie on the seabed, from s = " << estimate.touchdown_s
+              << " m on\n";
+  const tether_monitor::core::Strumming& strumming = steady.strumming;
+  if (strumming.length > 0.0)
+    std::cout << "vortices may shake " << strumming.length << " m of it at " << strumming.lowest_frequency << " to "
+              << strumming.highest_frequency << " Hz; its first transverse frequency is some "
+              << strumming.string_frequency << " Hz\n";
+  if (arguments.modes > static_cast<int>(steady.modes.size()))
+    std::cout << "only " << steady.modes.size() << " of " << arguments.modes << " modes exist or were found\n";
+  std::cout << "wrote ends.csv" << (arguments.modes > 0 ? ", shape.csv, modes.csv and mode_shapes.csv" : " and shape.csv")
+            << " to " << arguments.out << "\n";
+}
 
 int findSteadyState(const Arguments& arguments)
 {
@@ -47,7 +70,10 @@ int findSteadyState(const Arguments& arguments)
   const Vector3 vehicle = is_free ? vessel : parseVector("--vehicle-position", arguments.vehicle_position);
   replay::makeFolder(arguments.out);
 
-  const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity);
+  if (config.environment.waves.amplitude > 0.0 && !arguments.quiet)
+    std::cout << "notice: waves are left out of a steady state\n";
+
+  const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity, arguments.modes);
   const monitor::TetherEstimate& estimate = steady.estimate;
   if (!estimate.has_stations)
   {
@@ -55,19 +81,16 @@ int findSteadyState(const Arguments& arguments)
               << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";
     return NO_STEADY_STATE;
   }
-  replay::EndsFile ends(arguments.out, true);
-  ends.write(estimate, estimate.stations.position.back() - estimate.stations.position.front());
+  replay::EndsFile ends(arguments.out, replay::VehicleColumns::RELATIVE);
+  ends.write(estimate);
   ends.close();
   replay::ShapeFile shape(arguments.out);
   shape.write(estimate);
   shape.close();
+  if (arguments.modes > 0)
+    replay::writeModes(arguments.out, steady.modes, steady.node_s);
   if (!arguments.quiet)
-    std::cout << describe(estimate.status) << " "
-              << (estimate.reason == monitor::Reason::NONE ? "" : describe(estimate.reason))
-              << "\ntension at the vessel end " << estimate.vessel_tension << " N, at the vehicle end "
-              << estimate.vehicle_tension << " N, largest " << estimate.max_tension
-              << " N at s = " << estimate.max_tension_s << " m\nwrote ends.csv and shape.csv to " << arguments.out
-              << "\n";
+    tell(steady, arguments);
   return 0;
 }
 }  // namespace
@@ -80,6 +103,9 @@ int main(int argc, char** argv)
   app.add_option("--vessel-position", arguments.vessel_position, "X,Y,Z of the vessel [m]")->capture_default_str();
   app.add_option("--vehicle-position", arguments.vehicle_position, "X,Y,Z of the vehicle [m], unless it is free");
   app.add_option("--vessel-velocity", arguments.vessel_velocity, "VX,VY,VZ of both [m/s]")->capture_default_str();
+  app.add_option("--modes", arguments.modes, "number of natural modes to write to modes.csv and mode_shapes.csv")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
   app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   try

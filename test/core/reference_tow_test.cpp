@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "core/support/systems.h"
-#include "tether_monitor/replay/csv_table.h"
+#include "tether_monitor/params/csv_table.h"
 
 namespace tether_monitor::core
 {
@@ -43,7 +43,7 @@ EndPoint vehicleEnd(double t)
 
 TEST(ReferenceTow, EndTensionsFollowMoorDynWith50Elements)
 {
-  const replay::CsvTable reference = replay::readCsv(std::string(PROJECT_DIR) + "/test/golden/heave_tow_A.csv");
+  const params::CsvTable reference = params::readCsv(std::string(PROJECT_DIR) + "/test/golden/heave_tow_A.csv");
   CableModel model(towCable(), 50, Environment());
   Statics statics(model.nodes());
   NodeField shape;

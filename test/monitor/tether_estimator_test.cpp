@@ -152,18 +152,6 @@ TEST(Estimator, ACopyGoesOnAsTheOriginal)
   EXPECT_EQ(feeder.estimator.state().q[5], copy.estimator.state().q[5]);
 }
 
-TEST(Estimator, ADeployedLengthFromTheWinchReplacesTheConfiguredOne)
-{
-  Feeder feeder;
-  feeder.run(1.0);
-  EXPECT_FALSE(feeder.estimator.setPayout(-3.0));
-  EXPECT_FALSE(feeder.estimator.setPayout(NAN));
-  EXPECT_TRUE(feeder.estimator.setPayout(110.0));
-  const TetherEstimate& e = feeder.run(0.2);
-  EXPECT_EQ(e.status, Status::OK);
-  EXPECT_DOUBLE_EQ(e.length, 110.0);
-}
-
 TEST(Estimator, ACurrentChangesTheForces)
 {
   Feeder feeder;
@@ -196,6 +184,21 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"monitor.rate", [](Config& c) { c.rate = 0.0; }},
         Fault{"monitor.pose_timeout", [](Config& c) { c.pose_timeout = -1.0; }},
         Fault{"monitor.invalid_timeout", [](Config& c) { c.invalid_timeout = 0.5; }},
+        Fault{"winch.core_diameter", [](Config& c)
+              {
+                c.winch = core::WinchProperties{0.2, 0.6, 20};
+                c.tether.min_bend_radius = 0.4;
+              }},
+        Fault{"tether.length", [](Config& c) { c.winch = core::WinchProperties{0.2, 0.05, 3}; }},
+        Fault{"tether.drag_amplification", [](Config& c) { c.drag_amplification = 0.5; }},
+        Fault{"solver.courant", [](Config& c) { c.solver.courant = 0.0; }},
+        Fault{"solver.corrections", [](Config& c) { c.solver.corrections = -1; }},
+        Fault{"environment.seabed.depth",
+              [](Config& c)
+              {
+                c.environment.seabed = core::Seabed();
+                c.environment.seabed->depth = 0.0;
+              }},
         Fault{"solver.step", [](Config& c) { c.solver.step = NAN; }},
         Fault{"vessel.attachment", [](Config& c) { c.vessel.attachment.x() = NAN; }},
         Fault{"vehicle.attachment", [](Config& c) { c.vehicle.attachment.x() = INFINITY; }},

@@ -1,3 +1,4 @@
+#include "tether_monitor/params/depth_grid.h"
 #include "tether_monitor/params/load_config.h"
 
 #include <gtest/gtest.h>
@@ -89,19 +90,94 @@ TEST(LoadConfig, ANumberWrittenAsATextIsANumber)
   }
 }
 
-TEST(LoadConfig, WhatIsNotBuiltYetIsFineWhileNeutralAndAFaultElse)
+TEST(LoadConfig, ReadsTheWholeSea)
+{
+  const Value::Map waves{{"amplitude", 1.5}, {"length", 90.0}, {"direction", 0.3}, {"phase", 0.1}};
+  const Value::Map seabed{{"depth", 120.0}, {"slope", Value::List{0.01, 0.02}}, {"friction", 0.4}};
+  const Value::Map pipe{{"name", std::string("pipe")},
+                        {"shape", std::string("cylinder")},
+                        {"pose", Value::Map{{"position", Value::List{1.0, 2.0, -30.0}},
+                                            {"orientation", Value::List{0.0, 0.70710678, 0.0, 0.70710678}}}},
+                        {"size", Value::List{0.5, 20.0}},
+                        {"friction", 0.2}};
+  const Value::Map ball{{"shape", 0L}, {"pose", Value::Map{{"position", Value::List{0.0, 0.0, -10.0}}}},
+                        {"size", Value::List{0.7}}, {"mass", 30.0}, {"stiffness", 1e6}};
+  const Value::Map sea{{"waves", waves}, {"seabed", seabed}, {"wind", Value::List{3.0, 0.0, 0.0}},
+                       {"obstacles", Value::List{Value(pipe), Value(ball)}}};
+  const monitor::Config c = loadConfig(tree(tetherKeys(), {{"environment", Value(sea)}}), "/test");
+  EXPECT_EQ(c.environment.waves.amplitude, 1.5);
+  EXPECT_EQ(c.environment.waves.direction, 0.3);
+  ASSERT_TRUE(c.environment.seabed);
+  EXPECT_EQ(c.environment.seabed->slope.y(), 0.02);
+  EXPECT_EQ(c.environment.seabed->normal_stiffness, 3.0e5) << "default";
+  ASSERT_EQ(c.environment.obstacles.size(), 2u);
+  EXPECT_EQ(c.environment.obstacles[0].shape, core::ObstacleShape::CYLINDER);
+  EXPECT_EQ(c.environment.obstacles[0].size.y(), 20.0);
+  EXPECT_NEAR(c.environment.obstacles[0].orientation.y(), 0.7071, 1e-4);
+  EXPECT_EQ(c.environment.obstacles[1].shape, core::ObstacleShape::SPHERE);
+  EXPECT_EQ(c.environment.obstacles[1].mass, 30.0);
+  EXPECT_EQ(c.environment.wind.x(), 3.0);
+}
+
+TEST(LoadConfig, FaultsOfTheSeaNameTheKey)
+{
+  const Value::Map bad{{"shape", std::string("cone")}, {"pose", Value::Map{}}, {"size", Value::List{1.0, 2.0}}};
+  const Value::Map sea{{"waves", Value::Map{{"amplitude", 1.0}, {"heigth", 2.0}}},
+                       {"seabed", Value::Map{{"grid", std::string("nowhere.csv")}}},
+                       {"obstacles", Value::List{Value(bad)}}};
+  const std::vector<std::string> faults = faultsOf(tree(tetherKeys(), {{"environment", Value(sea)}}));
+  const auto has = [&](const std::string& text)
+  {
+    return std::any_of(faults.begin(), faults.end(),
+                       [&](const std::string& fault) { return fault.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(has("environment.waves.heigth is not a known parameter"));
+  EXPECT_TRUE(has("nowhere.csv"));
+  EXPECT_TRUE(has("environment.obstacles[0].shape = 'cone'"));
+  EXPECT_TRUE(has("environment.obstacles[0].pose.position is missing"));
+  EXPECT_TRUE(has("environment.obstacles[0].size"));
+}
+
+TEST(LoadConfig, ReadsWinchSolverAndAgeingTether)
 {
   Value::Map keys = tetherKeys();
-  keys["sections"] = Value::List{};
-  keys["hydrostatic_compression"] = 0.0;
-  Value::Map sea{{"wind", Value::List{0.0, 0.0, 0.0}},
-                 {"waves", Value::Map{{"amplitude", 0.0}, {"length", 100.0}}}};
-  EXPECT_TRUE(faultsOf(tree(keys, {{"environment", Value(sea)}})).empty());
-  sea["waves"] = Value::Map{{"amplitude", 1.0}};
-  keys["hydrostatic_compression"] = 1e-4;
-  EXPECT_EQ(faultsOf(tree(keys, {{"environment", Value(sea)}})),
-            (std::vector<std::string>{"environment.waves.amplitude = 1 asks for what is not built yet",
-                                      "tether.hydrostatic_compression = 0.0001 asks for what is not built yet"}));
+  keys["hydrostatic_compression"] = 1e-5;
+  keys["permanent_elongation"] = 0.01;
+  keys["drag_amplification"] = 1.5;
+  const Value::Map winch{{"core_diameter", 0.9}, {"width", 0.6}, {"layers", 12L}};
+  const Value::Map solver{{"integrator", std::string("abarbanel_zwas")}, {"corrections", 1L}, {"courant", 0.8}};
+  const monitor::Config c =
+      loadConfig(tree(keys, {{"winch", Value(winch)}, {"solver", Value(solver)}}), "/test");
+  EXPECT_EQ(c.tether.hydrostatic_compression, 1e-5);
+  EXPECT_EQ(c.tether.permanent_elongation, 0.01);
+  EXPECT_EQ(c.drag_amplification, 1.5);
+  ASSERT_TRUE(c.winch);
+  EXPECT_EQ(c.winch->layers, 12);
+  EXPECT_EQ(c.solver.scheme, core::Scheme::ABARBANEL_ZWAS);
+  EXPECT_EQ(c.solver.corrections, 1);
+  EXPECT_EQ(c.solver.courant, 0.8);
+}
+
+TEST(DepthGrid, IsReadInAnyOrderAndItsFaultsAreNamed)
+{
+  const std::string path = ::testing::TempDir() + "/depths.csv";
+  const auto write = [&](const char* text) { std::ofstream(path) << text; };
+  write("x,y,depth\n10,5,52\n0,0,50\n10,0,51\n0,5,53\n");
+  const core::DepthGrid grid = readDepthGrid(path);
+  EXPECT_EQ(grid.dx, 10.0);
+  EXPECT_EQ(grid.dy, 5.0);
+  EXPECT_EQ(grid.depth(1, 0), 51.0);
+  EXPECT_EQ(grid.depth(0, 1), 53.0);
+  for (const char* bad : {"x,y,depth\n0,0,1\n", "x,y,z\n0,0,1\n1,1,2\n", "x,y,depth\n0,0,1\n1,0,1\n0,1,1\n",
+                          "x,y,depth\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n1,1,1\n",
+                          "x,y,depth\n0,0,1\n1,0,1\n5,0,1\n0,1,1\n1,1,1\n5,1,1\n", "x,y,depth\n"})
+  {
+    write(bad);
+    EXPECT_THROW(readDepthGrid(path), std::runtime_error) << bad;
+  }
+  EXPECT_THROW(readDepthGrid("/nowhere/at/all.csv"), std::runtime_error);
+  EXPECT_EQ(fileBeside("/config", "grid.csv"), "/config/grid.csv");
+  EXPECT_EQ(fileBeside("/config", "/data/grid.csv"), "/data/grid.csv");
 }
 
 TEST(LoadConfig, SectionsTakeFromTheTetherWhatTheyDoNotSay)

@@ -17,7 +17,7 @@ Motion motionOf(const std::string& text)
 {
   const std::string path = ::testing::TempDir() + "tether_monitor_motion.csv";
   std::ofstream(path) << text;
-  return Motion(readCsv(path));
+  return Motion(params::readCsv(path));
 }
 
 std::string errorOf(const std::string& text)

@@ -26,9 +26,9 @@ std::string motionFile(double dt)
   return path;
 }
 
-CsvTable run(double dt, double rate, const std::string& folder)
+params::CsvTable run(double dt, double rate, const std::string& folder)
 {
-  const Motion motion(readCsv(motionFile(dt)));
+  const Motion motion(params::readCsv(motionFile(dt)));
   monitor::TetherEstimator estimator(monitor::testConfig());
   Recorder recorder(folder, 1.0);
   ReplayOptions options;
@@ -47,7 +47,7 @@ CsvTable run(double dt, double rate, const std::string& folder)
     out << line.substr(0, line.rfind(',')) << "\n";
   }
   out.close();
-  return readCsv(numbers);
+  return params::readCsv(numbers);
 }
 }  // namespace
 
@@ -55,21 +55,21 @@ TEST(ReplayRun, WritesARowForEachRowOfTheMotionAndTheFirstOne)
 {
   const std::string folder = ::testing::TempDir() + "tether_monitor_replay";
   std::filesystem::remove_all(folder);
-  const CsvTable ends = run(0.5, 0.0, folder);
+  const params::CsvTable ends = run(0.5, 0.0, folder);
   ASSERT_EQ(ends.rows.size(), 41u);
   EXPECT_EQ(ends.rows[0][0], 0.0);
   EXPECT_EQ(ends.rows[40][0], 20.0);
   EXPECT_EQ(ends.columns[1], "vessel_fx");
   for (const char* file : {"shape.csv", "alarms.csv", "summary.json"})
     EXPECT_TRUE(std::filesystem::exists(folder + "/" + file)) << file;
-  const CsvTable shape = readCsv(folder + "/shape.csv");
+  const params::CsvTable shape = params::readCsv(folder + "/shape.csv");
   EXPECT_EQ(shape.rows.size(), 21u * 41u);
 }
 
 TEST(ReplayRun, TheOutputRateDoesNotChangeTheMotion)
 {
   const std::string folder = ::testing::TempDir() + "tether_monitor_replay_rate";
-  const CsvTable often = run(0.5, 20.0, folder), seldom = run(0.5, 1.0, folder);
+  const params::CsvTable often = run(0.5, 20.0, folder), seldom = run(0.5, 1.0, folder);
   ASSERT_EQ(often.rows.size(), 401u);
   ASSERT_EQ(seldom.rows.size(), 21u);
   for (int column = 1; column <= 6; ++column)

@@ -9,6 +9,7 @@
 #include "tether_monitor/core/rigid_body.h"
 #include "tether_monitor/core/environment.h"
 #include "tether_monitor/core/stepper.h"
+#include "tether_monitor/core/winch_drum.h"
 #include "tether_monitor/monitor/alarm.h"
 
 namespace tether_monitor::monitor
@@ -56,10 +57,12 @@ struct Config
   core::CableProperties tether;
   core::CableFittings fittings;
   int elements = 50;
+  double drag_amplification = 1.0;  ///< factor on the normal drag where the tether strums [-], >= 1.
+  std::optional<core::WinchProperties> winch;
   BodyConfig vessel;
   BodyConfig vehicle;
   VehicleMode vehicle_mode = VehicleMode::TRACKED;
-  core::RigidBody vehicle_body;  ///< set in mode free.
+  core::RigidBody vehicle_body;  ///< set in mode free; its attachment is that of `vehicle`.
 
   core::StepperOptions solver;
   double rate = 20.0;            ///< [Hz], > 0.

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "tether_monitor/core/cable_forces.h"
+#include "tether_monitor/core/contact.h"
+#include "tether_monitor/monitor/body_track.h"
 
 namespace tether_monitor::monitor
 {
@@ -60,8 +62,14 @@ struct TetherEstimate
   double min_bend_radius_s = NONE;      ///< [m]
   double vessel_end_angle = NONE;       ///< of the tether below the horizontal at the vessel end [rad].
   double vehicle_end_angle = NONE;      ///< the same at the vehicle end [rad].
+  double seabed_contact_length = NONE;  ///< unstretched length on the seabed [m]; 0 without a seabed.
+  double touchdown_s = NONE;            ///< first point on the seabed from the vessel end [m]; NaN if none is.
+  core::ContactSummary contact;         ///< places in the world frame; an entry for each obstacle.
+  BodyState vehicle;                    ///< of a simulated vehicle's centre of mass; see has_vehicle.
+  bool has_vehicle = false;             ///< in mode free, unless INVALID.
   double vessel_age = NONE;             ///< age of the last vessel pose [s].
-  double vehicle_age = NONE;            ///< age of the last vehicle pose [s].
+  double vehicle_age = NONE;            ///< age of the last vehicle pose [s]; 0 if the vehicle is simulated.
+  double payout_age = NONE;             ///< age of the last report of the winch [s]; NaN if nothing reports.
 };
 
 }  // namespace tether_monitor::monitor

@@ -1,24 +1,33 @@
 #pragma once
 
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "tether_monitor/core/cable_model.h"
 #include "tether_monitor/core/cable_state.h"
 #include "tether_monitor/core/statics.h"
 #include "tether_monitor/core/stepper.h"
+#include "tether_monitor/core/vibration.h"
 #include "tether_monitor/monitor/alarm_set.h"
 #include "tether_monitor/monitor/body_track.h"
 #include "tether_monitor/monitor/config.h"
 #include "tether_monitor/monitor/end_follower.h"
+#include "tether_monitor/monitor/payout_track.h"
 #include "tether_monitor/monitor/tether_estimate.h"
 
 namespace tether_monitor::monitor
 {
-/// Where both tether ends are at one time, and how old the knowledge is.
+/// What drives the tether at one time, and how old the knowledge is.
 struct EndTargets
 {
   core::EndPoint vessel;
-  core::EndPoint vehicle;
+  core::EndPoint vehicle;    ///< not used in mode free.
   double vessel_age = 0.0;   ///< [s]
   double vehicle_age = 0.0;  ///< [s]
+  std::optional<core::PayoutMotion> payout = std::nullopt;   ///< deployed length and rate; none: the length stays.
+  double payout_age = std::numeric_limits<double>::quiet_NaN();  ///< [s]
 };
 
 /// What stepping has cost since the start.
@@ -50,12 +59,24 @@ class TetherEstimator
   void noteRejectedInput(double t) { rejected_at_ = t; }
   /// Replaces the current profile, from the next step on.
   void setCurrent(const core::CurrentProfile& current);
+  /// Replaces the depth of the sea [m], from the next step on. @return false, and nothing changes, if there is no
+  /// seabed in the configuration or the depth is not > 0.
+  bool setDepth(double depth);
   /**
-   * Deployed length from the winch [m] and its rate [m/s]. A change of more than 0.1 % makes the tether settle
-   * anew at that length, with one estimate that says so.
-   * @return false, and nothing changes, unless 0 < length < infinity and the rate is no infinity (NaN: unknown).
+   * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the grip of
+   * the tether on it.
+   * @return what is wrong with them, and nothing changes; empty if nothing is.
    */
-  bool setPayout(double length, double rate = TetherEstimate::NONE);
+  std::vector<std::string> setObstacles(double t, const std::vector<core::Obstacle>& obstacles);
+  /// Thrust on a simulated vehicle, until the next call.
+  void setThrust(const core::Wrench& thrust) { thrust_ = thrust; }
+  /**
+   * Report of the winch at time t [s]: deployed length [m] and its rate [m/s] (NaN: not told). The tether is paid out
+   * accordingly; a leap that no winch makes lets it settle anew, with one estimate that says so.
+   * @return false, and nothing changes, unless the length can be meshed, the rate is no infinity, and t is later than
+   *         that of the last report.
+   */
+  bool addPayout(double t, double length, double rate = TetherEstimate::NONE);
 
   /// Estimate at time t [s] from the tracks, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
@@ -85,12 +106,23 @@ class TetherEstimator
   const core::SolveReport& lastSolve() const { return last_solve_; }
   const core::CableModel& model() const { return model_; }
   const core::CableState& state() const { return state_; }
+  /// Place of the model's coordinates in the world [m].
+  const core::Vector3& origin() const { return origin_; }
+  /// Strumming at the last look, once a second of model time.
+  const core::Strumming& strumming() const { return strumming_; }
+  bool isVehicleFree() const { return config_.vehicle_mode == VehicleMode::FREE; }
   bool isSettled() const { return settled_; }
 
  private:
   const TetherEstimate& refuse(double t, Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
+  bool setLength(double length);
+  bool isPossibleLength(double length) const;
+  void lookAtAges(double t);
+  void describeContact();
+  void describeVehicle();
+  void lookAtStrumming();
   Reason degradation(const EndTargets& ends) const;
   EndTargets targetsAt(double t);
   core::EndPoint targetOf(const BodyTrack& track, const BodyConfig& body, double t, EndFollower& follower) const;
@@ -101,6 +133,8 @@ class TetherEstimator
   core::Statics statics_;
   BodyTrack vessel_, vehicle_;
   EndFollower vessel_follower_, vehicle_follower_;
+  PayoutTrack payout_;
+  core::Wrench thrust_;
   AlarmSet alarms_;
 
   core::CableState state_;                        // relative to origin_
@@ -109,6 +143,9 @@ class TetherEstimator
   bool announced_settling_ = false;
   bool started_ = false;
   bool alarms_changed_ = false;
+  double payout_rate_ = 0.0;  // of the model at its time [m/s]
+  double strumming_at_;
+  core::Strumming strumming_;
   double retry_settling_at_ = 0.0;
   double rejected_at_;
   TetherEstimate estimate_;

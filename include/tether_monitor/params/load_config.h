@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/monitor/config.h"
+#include "tether_monitor/params/reader.h"
 #include "tether_monitor/params/value.h"
 
 namespace tether_monitor::params
@@ -10,8 +11,12 @@ namespace tether_monitor::params
  *
  * @param tree   the whole tree.
  * @param where  named in errors: a file or a namespace.
+ * @param folder  from which file names in the tree are counted; empty: the working folder.
  * @throws ParamError listing every missing, misspelt, misshapen and out-of-range key.
  */
-monitor::Config loadConfig(const Value& tree, const std::string& where);
+monitor::Config loadConfig(const Value& tree, const std::string& where, const std::string& folder = "");
+
+/// The constants of a simulated body among the keys of `in`, faults collected there. Its attachment is not read.
+core::RigidBody loadRigidBody(Reader& in);
 
 }  // namespace tether_monitor::params

@@ -48,16 +48,22 @@ class Reader
   /// Three numbers; NaN and a fault if they are missing.
   core::Vector3 vector(const char* key);
   core::Vector3 vector(const char* key, const core::Vector3& fallback);
+  /// The text or whole number at `key`, as a text; a fault and "" if it is missing or anything else.
+  std::string word(const char* key);
+  /// Two numbers (z zero).
+  core::Vector3 pair(const char* key, const core::Vector3& fallback);
+  /// A list of `least` to `most` numbers; the fallback if the key is missing, with a fault if the fallback is empty.
+  std::vector<double> numbers(const char* key, const std::vector<double>& fallback, std::size_t least,
+                              std::size_t most);
   /// Reader of the map at `key`; of an empty one if it is missing.
   Reader child(const char* key);
   /// Readers of the maps in the list at `key`; none if it is missing.
   std::vector<Reader> children(const char* key);
-  /// A key whose feature is not built yet: its neutral value (zero, nothing, an empty list) is fine, any other a
-  /// fault.
-  void notBuiltYet(const char* key);
   /// Accepts a key without looking at it.
   void ignore(const char* key) { wanted_.insert(key); }
 
+  /// Adds a fault of the value at `key`.
+  void fault(const char* key, const std::string& what);
   /// Adds faults found elsewhere, for example in problems().
   void report(const std::vector<std::string>& faults);
   /// Faults so far, of this reader and all that came from it or share its tree.
@@ -70,7 +76,6 @@ class Reader
 
   const Value* find(const char* key);
   const Value* require(const char* key);
-  void fault(const char* key, const std::string& what);
   std::optional<double> toNumber(const char* key, const Value& value);
 
   const Value* level_;

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/payout_path.h"
 #include "tether_monitor/monitor/body_track.h"
-#include "tether_monitor/replay/csv_table.h"
+#include "tether_monitor/params/csv_table.h"
 
 namespace tether_monitor::replay
 {
@@ -23,10 +24,11 @@ class Motion
  public:
   /**
    * @param table  columns as INTERFACES names them: t, vessel_x..z, vehicle_x..z, and the optional ones.
+   * @param free_vehicle  the vehicle is simulated: columns of its motion are an error, thrust_x..z are known.
    * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not
    * increase, no row, a quaternion that is not of unit length.
    */
-  explicit Motion(const CsvTable& table);
+  explicit Motion(const params::CsvTable& table, bool free_vehicle = false);
 
   const std::vector<double>& times() const { return t_; }
   double begin() const { return t_.front(); }
@@ -36,9 +38,12 @@ class Motion
   monitor::BodyState vessel(double t) const { return at(vessel_, t); }
   monitor::BodyState vehicle(double t) const { return at(vehicle_, t); }
 
-  bool hasPayout() const { return !payout_.empty(); }
-  /// Deployed length [m] at time t, linear between rows.
-  double payout(double t) const;
+  bool hasPayout() const { return !payout_.position.empty(); }
+  /// Deployed length and its rates at time t: a smooth curve through the rows.
+  core::PayoutMotion payout(double t) const;
+  bool hasThrust() const { return !thrust_.empty(); }
+  /// Thrust on a simulated vehicle [N], body axes, linear between rows.
+  core::Vector3 thrust(double t) const;
   bool hasCurrent() const { return !current_.empty(); }
   /// Water velocity [m/s] at time t, the same at all depths, linear between rows.
   core::Vector3 current(double t) const;
@@ -50,7 +55,9 @@ class Motion
 
   std::vector<double> t_;
   BodyMotion vessel_, vehicle_;
-  std::vector<double> payout_;
+  core::Vector3 linear(const std::vector<core::Vector3>& column, double t) const;
+  BodyMotion payout_;  // x of its position is the length
+  std::vector<core::Vector3> thrust_;
   std::vector<core::Vector3> current_;
 };
 

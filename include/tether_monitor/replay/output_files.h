@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/modes.h"
 #include "tether_monitor/monitor/tether_estimator.h"
 
 namespace tether_monitor::replay
@@ -40,18 +41,36 @@ class CsvWriter
 /// Makes a folder with its parents. @throws std::runtime_error naming it if that is impossible.
 void makeFolder(const std::string& path);
 
+/// What ends.csv tells of the vehicle.
+enum class VehicleColumns
+{
+  NONE,
+  RELATIVE,  ///< vehicle_x..z: vehicle end relative to the vessel end.
+  POSE       ///< vehicle_x..z, vehicle_qx..qw: world pose of a simulated vehicle.
+};
+
 /// ends.csv: end forces and extremes, a row an estimate.
 class EndsFile
 {
  public:
-  /// @param with_vehicle  adds the columns vehicle_x, vehicle_y, vehicle_z.
-  explicit EndsFile(const std::string& folder, bool with_vehicle = false);
+  explicit EndsFile(const std::string& folder, VehicleColumns vehicle = VehicleColumns::NONE);
   void write(const monitor::TetherEstimate& estimate);
-  void write(const monitor::TetherEstimate& estimate, const core::Vector3& vehicle);
   void close() { csv_.close(); }
 
  private:
-  void writeColumns(const monitor::TetherEstimate& estimate);
+  VehicleColumns vehicle_;
+  CsvWriter csv_;
+};
+
+/// contacts.csv: forces of the tether on obstacles, a row an obstacle that it touches.
+class ContactsFile
+{
+ public:
+  explicit ContactsFile(const std::string& folder);
+  void write(const monitor::TetherEstimate& estimate, const std::vector<core::Obstacle>& obstacles);
+  void close() { csv_.close(); }
+
+ private:
   CsvWriter csv_;
 };
 
@@ -66,6 +85,10 @@ class ShapeFile
  private:
   CsvWriter csv_;
 };
+
+/// modes.csv (mode, kind, frequency) and mode_shapes.csv (displacement of every node in every mode).
+/// @param node_s  unstretched arc lengths of the nodes [m].
+void writeModes(const std::string& folder, const std::vector<core::Mode>& modes, const std::vector<double>& node_s);
 
 /// alarms.csv: a row for each alarm whose state has changed since the last call.
 class AlarmsFile

@@ -15,9 +15,10 @@ class Recorder
   /**
    * @param folder      made if needed.
    * @param shape_rate  [Hz] of shape.csv; 0: none.
+   * @param vehicle     columns of ends.csv about it.
    * @throws std::runtime_error naming what cannot be written.
    */
-  Recorder(const std::string& folder, double shape_rate);
+  Recorder(const std::string& folder, double shape_rate, VehicleColumns vehicle = VehicleColumns::NONE);
 
   /// Starts and stops the clock around one call of the estimator.
   void beginStep();
@@ -35,6 +36,7 @@ class Recorder
   EndsFile ends_;
   AlarmsFile alarms_;
   std::unique_ptr<ShapeFile> shape_;
+  std::unique_ptr<ContactsFile> contacts_;  // from the first estimate with obstacles on
   double next_shape_ = -std::numeric_limits<double>::infinity();
   double first_time_ = std::numeric_limits<double>::quiet_NaN();
   double last_time_ = 0.0;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tether_monitor::replay
+namespace tether_monitor::params
 {
 /// A table of numbers read from a CSV file.
 struct CsvTable
@@ -28,4 +28,4 @@ struct CsvTable
  */
 CsvTable readCsv(const std::string& path);
 
-}  // namespace tether_monitor::replay
+}  // namespace tether_monitor::params

@@ -1,4 +1,4 @@
-#include "tether_monitor/replay/csv_table.h"
+#include "tether_monitor/params/csv_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace tether_monitor::replay
+namespace tether_monitor::params
 {
 namespace
 {
@@ -97,4 +97,4 @@ CsvTable readCsv(const std::string& path)
   return table;
 }
 
-}  // namespace tether_monitor::replay
+}  // namespace tether_monitor::params

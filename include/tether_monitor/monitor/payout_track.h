@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tether_monitor/core/payout_path.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * Deployed length as the winch reports it: between reports a cubic, beyond the last at its rate. A correction of an
+ * extrapolation is spread over the time between reports, as for the ends: a jump of the length is a blow to a taut
+ * tether.
+ */
+class PayoutTrack
+{
+ public:
+  /**
+   * Takes a report at time t [s].
+   *
+   * @param length  [m]
+   * @param rate    [m/s]; NaN: the slope of the last two reports.
+   * @return        false, and nothing changes, if t is not later than the last report.
+   */
+  bool add(double t, double length, double rate);
+  void clear() { count_ = 0; }
+
+  bool hasReport() const { return count_ > 0; }
+  /// Age at time t of the last report that is not later [s]; infinite without one.
+  double age(double t) const;
+  /// Length and rate at time t [s]; hasReport() must hold. Calls in order of t, else clear() first.
+  core::PayoutMotion follow(double t);
+
+ private:
+  struct Report
+  {
+    double t, length, rate;
+  };
+
+  core::PayoutMotion reported(double t) const;
+  const Report& last() const { return reports_[count_ - 1]; }
+
+  static constexpr std::size_t CAPACITY = 16;
+  std::array<Report, CAPACITY> reports_{};  // in order of time
+  std::size_t count_ = 0;
+  bool following_ = false;
+  double followed_at_ = 0.0, followed_report_ = 0.0;
+  core::PayoutMotion followed_;
+  core::PayoutMotion offset_;  // of what follow() returns from what is reported, fading
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,81 @@
+#include "tether_monitor/monitor/payout_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double FADING = 2.5;       // rate of fading times the interval of the reports [-]
+constexpr double LONGEST_FADE = 1.0;  // [s]
+}  // namespace
+
+bool PayoutTrack::add(double t, double length, double rate)
+{
+  if (count_ > 0 && !(t > last().t))
+    return false;
+  if (std::isnan(rate))
+    rate = count_ > 0 ? (length - last().length) / (t - last().t) : 0.0;
+  if (count_ == CAPACITY)
+  {
+    std::move(reports_.begin() + 1, reports_.end(), reports_.begin());
+    --count_;
+  }
+  if (count_ == 0)
+    following_ = false;
+  reports_[count_++] = {t, length, rate};
+  return true;
+}
+
+double PayoutTrack::age(double t) const
+{
+  for (std::size_t i = count_; i-- > 0;)
+    if (reports_[i].t <= t)
+      return t - reports_[i].t;
+  return count_ > 0 ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+core::PayoutMotion PayoutTrack::reported(double t) const
+{
+  if (t <= reports_[0].t)
+    return {reports_[0].length, reports_[0].rate, 0.0};
+  for (std::size_t i = 1; i < count_; ++i)
+    if (t <= reports_[i].t)
+      return core::PayoutPath::between(reports_[i - 1].t, {reports_[i - 1].length, reports_[i - 1].rate, 0.0},
+                                       reports_[i].t, {reports_[i].length, reports_[i].rate, 0.0})
+          .at(t);
+  return {last().length + last().rate * (t - last().t), last().rate, 0.0};
+}
+
+core::PayoutMotion PayoutTrack::follow(double t)
+{
+  const core::PayoutMotion now = reported(t);
+  const double dt = t - followed_at_;
+  const double interval = count_ > 1 ? std::min(last().t - reports_[count_ - 2].t, LONGEST_FADE) : 0.0;
+  if (!following_ || !(dt > 0.0))
+  {
+    offset_ = core::PayoutMotion();
+  }
+  else
+  {
+    if (last().t != followed_report_)
+    {
+      offset_.length -= now.length - (followed_.length + dt * followed_.rate);
+      offset_.rate -= now.rate - followed_.rate;
+    }
+    const double w = FADING / std::max(interval, dt);
+    const double decay = std::exp(-w * dt);
+    const double drive = offset_.rate + w * offset_.length;
+    offset_.length = decay * (offset_.length + dt * drive);
+    offset_.rate = decay * (offset_.rate - w * dt * drive);
+  }
+  following_ = true;
+  followed_at_ = t;
+  followed_report_ = last().t;
+  followed_ = now;
+  return {now.length + offset_.length, now.rate + offset_.rate, now.acceleration};
+}
+
+}  // namespace tether_monitor::monitor
