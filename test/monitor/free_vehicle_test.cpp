@@ -45,7 +45,7 @@ TEST(FreeVehicle, ThrustMovesIt)
   feeder.estimator.setThrust({core::Vector3(0.0, 200.0, 0.0), core::Vector3::Zero()});
   const TetherEstimate& e = feeder.run(20.0);
   EXPECT_EQ(e.status, Status::OK);
-  EXPECT_GT(e.vehicle.position.y() - before, 5.0);
+  EXPECT_GT(e.vehicle.position.y() - before, 1.0);
 }
 
 TEST(FreeVehicle, IsTowedToTheSteadyState)
@@ -57,7 +57,7 @@ TEST(FreeVehicle, IsTowedToTheSteadyState)
   EndTargets start;
   start.vessel.position = {0.0, 0.0, -1.0};
   ASSERT_TRUE(towed.begin(0.0, start).has_stations);
-  for (int k = 1; k <= 6000; ++k)
+  for (int k = 1; k <= 10000; ++k)
   {
     const double t = 0.05 * k, ramp = std::min(t / 30.0, 1.0);
     EndTargets now;
@@ -77,13 +77,14 @@ TEST(Surroundings, DepthAndObstaclesCanChangeLive)
   Config config = testConfig();
   config.environment.seabed = core::Seabed();
   config.environment.seabed->depth = 200.0;
+  config.elements = 80;
   Feeder feeder(config);
   feeder.run(1.0);
   EXPECT_EQ(feeder.estimator.estimate().seabed_contact_length, 0.0);
   EXPECT_TRUE(std::isnan(feeder.estimator.estimate().touchdown_s));
   EXPECT_FALSE(feeder.estimator.setDepth(-1.0));
   ASSERT_TRUE(feeder.estimator.setDepth(75.0));
-  feeder.vehicle = {60.0, 0.0, -74.9};
+  feeder.vehicle = {40.0, 0.0, -74.9};
   feeder.estimator.reset();
   const TetherEstimate& e = feeder.run(1.0);
   ASSERT_EQ(e.status, Status::OK) << describe(e.reason);
@@ -94,7 +95,7 @@ TEST(Surroundings, DepthAndObstaclesCanChangeLive)
   pile.name = "pile";
   pile.shape = core::ObstacleShape::CYLINDER;
   pile.size = {0.5, 200.0, 0.0};
-  pile.position = {30.0, -0.7, -40.0};
+  pile.position = {10.0, -0.7, -40.0};
   pile.velocity = {0.0, 0.25, 0.0};
   EXPECT_TRUE(feeder.estimator.setObstacles(feeder.t, {pile}).empty());
   pile.size[0] = -1.0;
@@ -104,7 +105,7 @@ TEST(Surroundings, DepthAndObstaclesCanChangeLive)
   EXPECT_GT(touch.total, 0.0);
   EXPECT_LT(touch.force.y(), 0.0) << "the tether holds against it";
   EXPECT_NEAR(touch.place.y(), -0.7 + 2.0 + 0.5, 0.1);
-  EXPECT_NEAR(touch.place.x(), 30.0, 0.6);
+  EXPECT_NEAR(touch.place.x(), 10.0, 0.6);
 }
 
 TEST(Strumming, AmplifiesDragAndTiltsTheTether)
