@@ -1,5 +1,5 @@
 # Tests that need no ROS: one executable a room, every *_test.cpp in it.
-foreach(room core monitor params replay)
+foreach(room core monitor simulation params replay)
   file(GLOB room_tests CONFIGURE_DEPENDS test/${room}/*_test.cpp)
   if(NOT room_tests)
     continue()

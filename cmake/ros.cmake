@@ -8,10 +8,12 @@ if(NOT DEFINED CATKIN_DEVEL_PREFIX)
 endif()
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp std_msgs
-  std_srvs tf2 tf2_geometry_msgs tf2_ros visualization_msgs)
+  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp rosgraph_msgs
+  std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros visualization_msgs)
 
-add_message_files(FILES Alarm.msg AlarmArray.msg CurrentProfile.msg Payout.msg TetherState.msg)
+add_message_files(FILES
+  Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg Payout.msg
+  TetherState.msg)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 
 catkin_package(
@@ -33,12 +35,15 @@ target_link_libraries(tether_monitor_ros
 add_executable(tether_monitor_node src/nodes/tether_monitor_node.cpp)
 target_link_libraries(tether_monitor_node PRIVATE tether_monitor_ros tether_monitor_options)
 
+add_executable(tether_sim_node src/nodes/tether_sim_node.cpp)
+target_link_libraries(tether_sim_node PRIVATE tether_monitor_ros tether_monitor_options)
+
 foreach(tool tether_replay tether_steady)
   add_executable(${tool} src/tools/${tool}.cpp)
   target_link_libraries(${tool} PRIVATE tether_monitor_ros CLI11::CLI11 tether_monitor_options)
 endforeach()
 
-install(TARGETS tether_monitor_node tether_replay tether_steady
+install(TARGETS tether_monitor_node tether_sim_node tether_replay tether_steady
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS tether_monitor_core tether_monitor_monitor
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

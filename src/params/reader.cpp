@@ -165,6 +165,12 @@ core::Vector3 Reader::vector(const char* key, const core::Vector3& fallback)
   return {x[0], x[1], x[2]};
 }
 
+core::Vector3 Reader::pair(const char* key)
+{
+  const core::Vector3 none = core::Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  return require(key) ? pair(key, none) : none;
+}
+
 core::Vector3 Reader::pair(const char* key, const core::Vector3& fallback)
 {
   const std::vector<double> x = numbers(key, {fallback.x(), fallback.y()}, 2, 2);

@@ -90,6 +90,21 @@ bool addOther(const rosbag::MessageInstance& instance, const std::string& topic,
   return true;
 }
 
+// A number without a stamp counts from when it was recorded.
+bool addNumber(const rosbag::MessageInstance& instance, const std::string& topic,
+               std::string (MeasurementIntake::*take)(const std_msgs::Float64&, const ros::Time&),
+               Recording& recording)
+{
+  const auto message = instance.instantiate<std_msgs::Float64>();
+  if (!message)
+    return false;
+  const ros::Time recorded = instance.getTime();
+  recording.inputs[OTHER_STREAM].push_back(
+      {recorded, recorded, false, topic,
+       [message, take, recorded](MeasurementIntake& intake) { return (intake.*take)(*message, recorded); }});
+  return true;
+}
+
 void addTransforms(const rosbag::MessageInstance& instance, bool is_static, Recording& recording)
 {
   if (const auto message = instance.instantiate<tf2_msgs::TFMessage>())
@@ -114,6 +129,14 @@ void addMessage(const rosbag::MessageInstance& m, const std::string& topic, Reco
     known = addOther<Payout>(m, topic, recording);
   else if (topic == "current")
     known = addOther<CurrentProfile>(m, topic, recording);
+  else if (topic == "obstacles")
+    known = addOther<ObstacleArray>(m, topic, recording);
+  else if (topic == "vehicle/thrust")
+    known = addOther<geometry_msgs::WrenchStamped>(m, topic, recording);
+  else if (topic == "seabed")
+    known = addNumber(m, topic, &MeasurementIntake::takeDepth, recording);
+  else if (topic == "turns")
+    known = addNumber(m, topic, &MeasurementIntake::takeTurns, recording);
   if (!known)
   {
     RefusalCount& refusal = recording.refusals[topic];
@@ -130,7 +153,15 @@ std::string prefixOf(const std::string& ns)
   return prefix;
 }
 
-[[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, rosbag::View& all)
+std::vector<Stream> bodiesNeeded(bool free_vehicle)
+{
+  if (free_vehicle)
+    return {VESSEL_STREAM};
+  return {VESSEL_STREAM, VEHICLE_STREAM};
+}
+
+[[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, bool free_vehicle,
+                                    rosbag::View& all)
 {
   std::set<std::string> topics;
   std::set<std::string> hints;
@@ -141,9 +172,12 @@ std::string prefixOf(const std::string& ns)
     if (at != std::string::npos && at > 0)
       hints.insert(connection->topic.substr(1, at - 1));
   }
-  std::string text = "the bag " + path + " has no poses of both vessel and vehicle: expected " + prefix +
-                     "vessel/pose or " + prefix + "vessel/odom, and " + prefix + "vehicle/pose or " + prefix +
-                     "vehicle/odom. ";
+  std::string text = "the bag " + path + " has no poses of " +
+                     (free_vehicle ? "the vessel" : "both vessel and vehicle") + ": expected " + prefix +
+                     "vessel/pose or " + prefix + "vessel/odom";
+  if (!free_vehicle)
+    text += ", and " + prefix + "vehicle/pose or " + prefix + "vehicle/odom";
+  text += ". ";
   if (topics.empty())
     text += "It holds no messages at all.";
   else
@@ -157,7 +191,7 @@ std::string prefixOf(const std::string& ns)
   throw std::runtime_error(text);
 }
 
-void readBag(const std::string& path, const std::string& ns, Recording& recording)
+void readBag(const std::string& path, const std::string& ns, bool free_vehicle, Recording& recording)
 {
   rosbag::Bag bag;
   openBag(path, bag);
@@ -179,10 +213,13 @@ void readBag(const std::string& path, const std::string& ns, Recording& recordin
   {
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
-  for (const Stream body : {VESSEL_STREAM, VEHICLE_STREAM})
+  // What is measured of a simulated vehicle is not used.
+  if (free_vehicle)
+    recording.inputs[VEHICLE_STREAM].clear();
+  for (const Stream body : bodiesNeeded(free_vehicle))
     if (std::none_of(recording.inputs[body].begin(), recording.inputs[body].end(),
                      [](const Input& input) { return input.is_pose; }))
-      failWithoutTopics(path, prefix, all);
+      failWithoutTopics(path, prefix, free_vehicle, all);
   for (std::vector<Input>& stream : recording.inputs)
     std::stable_sort(stream.begin(), stream.end(),
                      [](const Input& a, const Input& b) { return a.stamp < b.stamp; });
@@ -247,22 +284,23 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
                                    replay::Recorder& recorder)
 {
   Recording recording;
-  readBag(path, ns, recording);
+  const bool free_vehicle = estimator.isVehicleFree();
+  readBag(path, ns, free_vehicle, recording);
   const double tolerance = estimator.config().pose_timeout;
   const auto vessel = poseSpan(recording, VESSEL_STREAM, tolerance);
   const auto vehicle = poseSpan(recording, VEHICLE_STREAM, tolerance);
-  const TimeBase base(std::min(vessel.first, vehicle.first));
+  const TimeBase base(free_vehicle ? vessel.first : std::min(vessel.first, vehicle.first));
   MeasurementIntake intake(estimator, recording.transforms);
   intake.setTimeBase(base);
 
   // Start when both bodies are known.
-  for (const Stream body : {VESSEL_STREAM, VEHICLE_STREAM})
+  for (const Stream body : bodiesNeeded(free_vehicle))
     while (recording.next[body] < recording.inputs[body].size() &&
            !(body == VESSEL_STREAM ? estimator.vessel() : estimator.vehicle()).hasPose())
       takeNext(recording, body, intake);
-  if (!estimator.vessel().hasPose() || !estimator.vehicle().hasPose())
+  if (!estimator.vessel().hasPose() || !(free_vehicle || estimator.vehicle().hasPose()))
   {
-    std::string text = "the bag " + path + ": every pose of vessel or vehicle was refused";
+    std::string text = "the bag " + path + ": every pose of a body was refused";
     for (const std::string& warning : warningsOf(recording))
       text += "\n  " + warning;
     throw std::runtime_error(text);

@@ -86,10 +86,79 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
   out.min_bend_radius_s = e.min_bend_radius_s;
   out.vessel_end_angle = e.vessel_end_angle;
   out.vehicle_end_angle = e.vehicle_end_angle;
-  out.seabed_contact_length = e.has_stations ? 0.0 : NONE;
-  out.touchdown_s = NONE;
+  out.seabed_contact_length = e.seabed_contact_length;
+  out.touchdown_s = e.touchdown_s;
   out.vessel_age = std::isnan(e.vessel_age) ? std::numeric_limits<double>::infinity() : e.vessel_age;
   out.vehicle_age = std::isnan(e.vehicle_age) ? std::numeric_limits<double>::infinity() : e.vehicle_age;
+}
+
+geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q)
+{
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+
+ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector<core::Obstacle>& obstacles)
+{
+  ContactArray array;
+  for (std::size_t k = 0; k < obstacles.size() && k < e.contact.obstacles.size(); ++k)
+  {
+    const core::ContactSummary::Touch& touch = e.contact.obstacles[k];
+    if (!e.has_stations || !(touch.total > 0.0))
+      continue;
+    Contact contact;
+    contact.obstacle = obstacles[k].name;
+    contact.force = vectorMessage(touch.force);
+    contact.place = pointMessage(touch.place);
+    contact.s = touch.s;
+    contact.largest = touch.largest;
+    array.contacts.push_back(contact);
+  }
+  return array;
+}
+
+std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle)
+{
+  const std::string name = "obstacle '" + message.name + "': ";
+  if (message.shape > Obstacle::BOX)
+    return name + "shape = " + std::to_string(message.shape) + " is not known";
+  const std::size_t sizes = message.shape + 1u;
+  if (message.size.size() != sizes)
+    return name + "size has " + std::to_string(message.size.size()) + " numbers, " + std::to_string(sizes) +
+           " are expected";
+  obstacle.name = message.name;
+  obstacle.shape = static_cast<core::ObstacleShape>(message.shape);
+  for (std::size_t i = 0; i < sizes; ++i)
+    obstacle.size[static_cast<int>(i)] = message.size[i];
+  Eigen::Quaterniond q = quaternion(message.pose.orientation);
+  if (q.coeffs().isZero(0.0))
+    q.setIdentity();
+  if (!(std::abs(q.norm() - 1.0) < 0.01))
+    return name + describe(monitor::Rejection::BAD_QUATERNION);
+  obstacle.position = to_world * vector(message.pose.position);
+  obstacle.orientation = Eigen::Quaterniond(to_world.rotation()) * q.normalized();
+  obstacle.velocity = to_world.linear() * vector(message.velocity);
+  obstacle.mass = message.mass;
+  obstacle.friction = message.friction;
+  return "";
+}
+
+nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
+                                  const monitor::TetherEstimate& e)
+{
+  nav_msgs::Odometry message;
+  message.header = header;
+  message.child_frame_id = child_frame;
+  message.pose.pose.position = pointMessage(e.vehicle.position);
+  message.pose.pose.orientation = quaternionMessage(e.vehicle.orientation);
+  const Eigen::Quaterniond to_body = e.vehicle.orientation.conjugate();
+  message.twist.twist.linear = vectorMessage(to_body * e.vehicle.velocity);
+  message.twist.twist.angular = vectorMessage(to_body * e.vehicle.angular_velocity);
+  return message;
 }
 
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,

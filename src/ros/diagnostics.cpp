@@ -1,5 +1,8 @@
 #include "tether_monitor/ros/diagnostics.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "tether_monitor/ros/conversions.h"
 
 namespace tether_monitor
@@ -63,6 +66,21 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
   status.add("Age of the vessel pose [s]", e.vessel_age);
   status.add("Age of the vehicle pose [s]", e.vehicle_age);
   status.add("Deployed length [m]", estimator.model().length());
+  if (!std::isnan(e.payout_age))
+    status.add("Age of the winch's report [s]", e.payout_age);
+  if (estimator.config().winch)
+  {
+    const core::WinchDrum drum(*estimator.config().winch, estimator.config().tether.diameter);
+    status.add("Winch: turns paid out", drum.turnsFor(estimator.model().length()));
+    status.add("Winch: holds [m]", drum.capacity());
+    status.add("Winch: bend radius on the drum [m]", drum.bendRadius());
+  }
+  for (std::size_t k = 0; k < e.contact.obstacles.size(); ++k)
+    if (e.contact.obstacles[k].total > 0.0)
+      status.addf("Touches obstacle '" + estimator.model().environment().obstacles[k].name + "'", "%.3g N at s = %.1f m",
+                  e.contact.obstacles[k].force.norm(), e.contact.obstacles[k].s);
+  if (e.seabed_contact_length > 0.0)
+    status.add("On the seabed [m]", e.seabed_contact_length);
   status.add("Elements", estimator.model().elements());
   status.add("Steps", estimator.count().steps);
   status.add("Rejected steps", estimator.count().rejected);
@@ -72,6 +90,39 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
   status.add("Cycles", facts.ticks);
   for (const auto& [topic, refusal] : facts.refusals)
     status.addf("Refused on " + topic, "%ld, last: %s", refusal.count, refusal.last_reason.c_str());
+}
+
+void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  if (report.modes.empty())
+  {
+    status.summary(Level::OK, "not known yet");
+    return;
+  }
+  status.summary(Level::OK, "no resonance");
+  const core::Strumming& strumming = report.strumming;
+  if (strumming.length > 0.0)
+  {
+    status.summaryf(Level::WARN, "transverse vibration: %.0f m of tether may strum at %.2g to %.2g Hz",
+                    strumming.length, strumming.lowest_frequency, strumming.highest_frequency);
+    status.add("Advice on strumming", "Vortices shake the tether across the flow; drag rises (tether.drag_amplification) "
+                                      "and it wears. Fairings, or another speed, help.");
+  }
+  if (report.resonant)
+  {
+    const char* kind = report.resonant->kind == core::ModeKind::AXIAL ? "axial" : "transverse";
+    char text[160];
+    std::snprintf(text, sizeof(text), "resonance: waves meet the vessel at %.3g Hz, %s mode at %.3g Hz",
+                  report.encounter_frequency, kind, report.resonant->frequency);
+    status.mergeSummary(Level::WARN, text);
+    status.add("Advice on resonance", "Change speed, course or deployed length.");
+  }
+  status.add("Vortex shedding, highest [Hz]", strumming.highest_frequency);
+  status.add("Wave encounter [Hz]", report.encounter_frequency);
+  for (std::size_t i = 0; i < report.modes.size(); ++i)
+    status.addf("Mode " + std::to_string(i + 1), "%.4g Hz, %s", report.modes[i].frequency,
+                report.modes[i].kind == core::ModeKind::AXIAL ? "axial" : "transverse");
 }
 
 }  // namespace tether_monitor

@@ -16,6 +16,7 @@ using visualization_msgs::Marker;
 constexpr double LINE_WIDTH = 0.006;
 constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
 constexpr double TEXT_HEIGHT = 0.04;
+constexpr int SEABED_CELLS = 16;  // along each side of the patch
 
 std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1.0)
 {
@@ -40,8 +41,10 @@ Marker blank(const std_msgs::Header& header, const char* ns, int id, int type)
   return m;
 }
 
-Marker tetherLine(const std_msgs::Header& header, const monitor::Config& config, const monitor::TetherEstimate& e)
+Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
 {
+  const monitor::Config& config = estimator.config();
+  const monitor::TetherEstimate& e = estimator.estimate();
   Marker m = blank(header, "tether", 0, Marker::LINE_STRIP);
   if (!e.has_stations)
   {
@@ -53,7 +56,9 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::Config& config,
   for (std::size_t i = 0; i < e.stations.s.size(); ++i)
   {
     m.points.push_back(pointMessage(e.stations.position[i]));
-    m.colors.push_back(utilisationColour(e.stations.tension[i] / config.tether.working_load, warning));
+    const int element = std::min(static_cast<int>(i / 2), estimator.model().elements() - 1);
+    m.colors.push_back(utilisationColour(
+        e.stations.tension[i] / estimator.model().propertiesOf(element).working_load, warning));
   }
   return m;
 }
@@ -110,6 +115,61 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
     }
   return m;
 }
+
+Marker obstacleBody(const std_msgs::Header& header, int k, const monitor::TetherEstimator& estimator)
+{
+  const core::Obstacle& obstacle = estimator.model().environment().obstacles[k];
+  const bool is_stepped = estimator.estimate().has_stations;
+  Marker m = blank(header, "obstacle", k, Marker::CUBE);
+  m.pose.position = pointMessage(is_stepped ? core::Vector3(estimator.state().obstacles[k].position + estimator.origin())
+                                            : obstacle.position);
+  m.pose.orientation = quaternionMessage(obstacle.orientation);
+  core::Vector3 size = obstacle.size;
+  if (obstacle.shape == core::ObstacleShape::SPHERE)
+  {
+    m.type = Marker::SPHERE;
+    size.setConstant(2.0 * obstacle.size[0]);
+  }
+  else if (obstacle.shape == core::ObstacleShape::CYLINDER)
+  {
+    m.type = Marker::CYLINDER;
+    size = {2.0 * obstacle.size[0], 2.0 * obstacle.size[0], obstacle.size[1]};
+  }
+  m.scale = vectorMessage(size);
+  const bool touched = is_stepped && estimator.estimate().contact.obstacles[k].total > 0.0;
+  m.color = touched ? colour(0.95, 0.5, 0.1, 0.9) : colour(0.6, 0.6, 0.6, 0.7);
+  return m;
+}
+
+// The sea floor under the tether, as a mesh of triangles.
+Marker seabedPatch(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
+{
+  Marker m = blank(header, "seabed", 0, Marker::TRIANGLE_LIST);
+  const monitor::TetherEstimate& e = estimator.estimate();
+  if (!e.has_stations)
+  {
+    m.action = Marker::DELETE;
+    return m;
+  }
+  const core::Vector3 a = e.stations.position.front(), b = e.stations.position.back();
+  const double half = 0.5 * (b - a).head<2>().norm() + 0.25 * e.length, cell = 2.0 * half / SEABED_CELLS;
+  // Cells keep their places in the world while the tether moves.
+  const double x0 = std::floor((0.5 * (a.x() + b.x()) - half) / cell) * cell;
+  const double y0 = std::floor((0.5 * (a.y() + b.y()) - half) / cell) * cell;
+  const core::Seabed& seabed = *estimator.model().environment().seabed;
+  const auto corner = [&](int i, int j)
+  {
+    const double x = x0 + i * cell, y = y0 + j * cell;
+    return core::Vector3(x, y, seabed.at(x, y).z);
+  };
+  m.scale.x = m.scale.y = m.scale.z = 1.0;
+  m.color = colour(0.55, 0.45, 0.3, 0.6);
+  for (int i = 0; i < SEABED_CELLS; ++i)
+    for (int j = 0; j < SEABED_CELLS; ++j)
+      for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}})
+        m.points.push_back(pointMessage(corner(i + di, j + dj)));
+  return m;
+}
 }  // namespace
 
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
@@ -121,15 +181,21 @@ std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
   return colour(0.95, 0.85 * (1.0 - past), 0.1);
 }
 
-visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::Config& config,
-                                        const monitor::TetherEstimate& e, const monitor::AlarmSet& alarms)
+visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
 {
+  const monitor::Config& config = estimator.config();
+  const monitor::TetherEstimate& e = estimator.estimate();
   visualization_msgs::MarkerArray array;
-  array.markers.push_back(tetherLine(header, config, e));
+  array.markers.push_back(tetherLine(header, estimator));
   const core::EndForces& ends = e.stations.ends;
   array.markers.push_back(forceArrow(header, 0, config, e, ends.vessel, e.stations.position.front()));
   array.markers.push_back(forceArrow(header, 1, config, e, ends.vehicle, e.stations.position.back()));
-  array.markers.push_back(statusText(header, config, e, alarms));
+  array.markers.push_back(statusText(header, config, e, estimator.alarms()));
+  const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+    array.markers.push_back(obstacleBody(header, static_cast<int>(k), estimator));
+  if (estimator.model().sea().hasSeabed())
+    array.markers.push_back(seabedPatch(header, estimator));
   return array;
 }
 

@@ -137,13 +137,84 @@ std::string MeasurementIntake::take(BodyName body, const nav_msgs::Odometry& mes
   return refused(rejection == monitor::Rejection::NONE ? "" : describe(rejection), now);
 }
 
+std::string MeasurementIntake::takeLength(double t, double length, double rate)
+{
+  if (estimator_.addPayout(t, length, rate))
+    return "";
+  const monitor::Config& config = estimator_.config();
+  if (!config.fittings.sections.empty() || !config.fittings.attachments.empty())
+    return "length = " + std::to_string(length) +
+           " (must be > 0 m, leave sections and attachments outside, and be later than the last)";
+  return "length = " + std::to_string(length) + " (must be > 0 m, and later than the last)";
+}
+
+std::string MeasurementIntake::takeTurns(const std_msgs::Float64& message, const ros::Time& now)
+{
+  const monitor::Config& config = estimator_.config();
+  if (!config.winch)
+    return refused("turns of a winch that is not in the parameters (winch)", now);
+  const core::WinchDrum drum(*config.winch, config.tether.diameter);
+  if (!(message.data > 0.0 && message.data <= drum.turns()))
+    return refused("turns = " + std::to_string(message.data) + " (must be > 0 and <= " + std::to_string(drum.turns()) +
+                       ")",
+                   now);
+  return refused(takeLength(time_.seconds(now), drum.paidOut(message.data), monitor::TetherEstimate::NONE), now);
+}
+
+std::string MeasurementIntake::takeDepth(const std_msgs::Float64& message, const ros::Time& now)
+{
+  if (!estimator_.model().sea().hasSeabed())
+    return refused("a depth without environment.seabed in the parameters", now);
+  if (!estimator_.setDepth(message.data))
+    return refused("depth = " + std::to_string(message.data) + " (must be > 0 m)", now);
+  return "";
+}
+
+std::string MeasurementIntake::take(const geometry_msgs::WrenchStamped& message, const ros::Time& now)
+{
+  std::string why = stampProblem(message.header, now);
+  const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
+  const std::string& frame = estimator_.config().vehicle.frame;
+  if (why.empty() && !estimator_.isVehicleFree())
+    why = "thrust on a vehicle that is not simulated (vehicle.mode is not free)";
+  else if (why.empty() && message.header.frame_id != frame && !message.header.frame_id.empty())
+    why = "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
+  else if (why.empty() && !(thrust.force.allFinite() && thrust.torque.allFinite()))
+    why = describe(monitor::Rejection::NOT_FINITE);
+  if (why.empty())
+    estimator_.setThrust(thrust);
+  return refused(why, now);
+}
+
+std::string MeasurementIntake::take(const ObstacleArray& message, const ros::Time& now)
+{
+  std::string why = stampProblem(message.header, now);
+  Eigen::Isometry3d to_world;
+  if (why.empty())
+    why = transformToWorld(message.header, to_world);
+  std::vector<core::Obstacle> obstacles;
+  for (std::size_t i = 0; i < message.obstacles.size() && why.empty(); ++i)
+  {
+    obstacles.emplace_back();
+    why = toObstacle(message.obstacles[i], to_world, obstacles.back());
+  }
+  if (why.empty())
+  {
+    const std::vector<std::string> faults =
+        estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
+    if (!faults.empty())
+      why = faults.front();
+  }
+  return refused(why, now);
+}
+
 std::string MeasurementIntake::take(const Payout& message, const ros::Time& now)
 {
   std::string why = stampProblem(message.header, now);
   if (why.empty() && !std::isfinite(message.rate))
     why = "rate is not finite";
-  if (why.empty() && !estimator_.setPayout(message.length, message.rate))
-    why = "length = " + std::to_string(message.length) + " (must be > 0 m)";
+  if (why.empty())
+    why = takeLength(time_.seconds(message.header.stamp), message.length, message.rate);
   return refused(why, now);
 }
 

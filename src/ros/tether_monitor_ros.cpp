@@ -16,6 +16,7 @@ namespace
 {
 constexpr double ALARM_PERIOD = 1.0;        // [s]
 constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
+constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes take milliseconds
 constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
 constexpr int INPUT_QUEUE = 100;
 constexpr int OUTPUT_QUEUE = 10;
@@ -36,12 +37,17 @@ TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHan
   over_tension_pub_ = private_nh_.advertise<std_msgs::Bool>("over_tension", OUTPUT_QUEUE);
   alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
   markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
+  contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
+  if (estimator_.isVehicleFree())
+    vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
   reset_server_ = private_nh_.advertiseService("reset", &TetherMonitorRos::reset, this);
   acknowledge_server_ = private_nh_.advertiseService("acknowledge", &TetherMonitorRos::acknowledge, this);
 
   updater_.setHardwareID("tether");
   updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
                { diagnose(estimator_, facts_, status); });
+  updater_.add("vibration", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
+               { diagnoseVibration(facts_.vibration, status); });
 
   for (const auto& [name, body] :
        {std::make_pair("vessel", BodyName::VESSEL), std::make_pair("vehicle", BodyName::VEHICLE)})
@@ -50,12 +56,20 @@ TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHan
     subscribeBody<geometry_msgs::TwistStamped>(std::string(name) + "/velocity", body);
     subscribeBody<nav_msgs::Odometry>(std::string(name) + "/odom", body);
   }
-  subscribe<Payout>("payout");
-  subscribe<CurrentProfile>("current");
+  subscribe<Payout>("payout", &MeasurementIntake::take);
+  subscribe<CurrentProfile>("current", &MeasurementIntake::take);
+  subscribe<ObstacleArray>("obstacles", &MeasurementIntake::take);
+  subscribe<geometry_msgs::WrenchStamped>("vehicle/thrust", &MeasurementIntake::take);
+  subscribe<std_msgs::Float64>("seabed", &MeasurementIntake::takeDepth);
+  subscribe<std_msgs::Float64>("turns", &MeasurementIntake::takeTurns);
 
   tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
-                                           [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+                                           [this](const ros::WallTimerEvent&)
+                                           {
+                                             lookAtVibration();
+                                             updater_.force_update();
+                                           });
   ROS_INFO("%s watches a tether of %g m in %d elements at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
            config.tether.length, config.elements, config.rate, config.world_frame.c_str());
 }
@@ -71,11 +85,12 @@ void TetherMonitorRos::subscribeBody(const std::string& topic, BodyName body)
 }
 
 template <typename Message>
-void TetherMonitorRos::subscribe(const std::string& topic)
+void TetherMonitorRos::subscribe(const std::string& topic,
+                                 std::string (MeasurementIntake::*take)(const Message&, const ros::Time&))
 {
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, topic](const boost::shared_ptr<const Message>& message)
-  { receive(topic, [&](const ros::Time& now) { return intake_.take(*message, now); }); };
+      [this, topic, take](const boost::shared_ptr<const Message>& message)
+  { receive(topic, [&](const ros::Time& now) { return (intake_.*take)(*message, now); }); };
   subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
                                                 ros::TransportHints().tcpNoDelay()));
 }
@@ -151,11 +166,42 @@ void TetherMonitorRos::publish(const ros::Time& stamp, double step_time)
   state_pub_.publish(state_message_);
   vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel));
   vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle));
+  publishVehicle(header);
+  publishContacts(header);
   const bool due = (stamp - last_alarms_).toSec() >= ALARM_PERIOD || stamp < last_alarms_;
   if (estimator_.alarmsChanged() || acknowledged_ || due)
     publishAlarms(header);
   if (markers_pub_.getNumSubscribers() > 0)
-    markers_pub_.publish(markers(header, estimator_.config(), e, estimator_.alarms()));
+    markers_pub_.publish(markers(header, estimator_));
+}
+
+void TetherMonitorRos::publishVehicle(const std_msgs::Header& header)
+{
+  const monitor::TetherEstimate& e = estimator_.estimate();
+  if (e.has_vehicle)
+    vehicle_pub_.publish(vehicleMessage(header, estimator_.config().vehicle.frame, e));
+}
+
+// While something is touched, and once when nothing is any more.
+void TetherMonitorRos::publishContacts(const std_msgs::Header& header)
+{
+  ContactArray contacts = contactsMessage(estimator_.estimate(), estimator_.model().environment().obstacles);
+  const bool has_contact = !contacts.contacts.empty();
+  if (!has_contact && !had_contact_)
+    return;
+  had_contact_ = has_contact;
+  contacts.header = header;
+  contacts_pub_.publish(contacts);
+}
+
+void TetherMonitorRos::lookAtVibration()
+{
+  const ros::WallTime now = ros::WallTime::now();
+  if ((now - last_vibration_).toSec() < VIBRATION_PERIOD)
+    return;
+  facts_.vibration = monitor::reportVibration(estimator_);
+  if (!facts_.vibration.modes.empty())
+    last_vibration_ = now;
 }
 
 void TetherMonitorRos::publishAlarms(const std_msgs::Header& header)

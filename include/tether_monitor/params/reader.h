@@ -50,7 +50,8 @@ class Reader
   core::Vector3 vector(const char* key, const core::Vector3& fallback);
   /// The text or whole number at `key`, as a text; a fault and "" if it is missing or anything else.
   std::string word(const char* key);
-  /// Two numbers (z zero).
+  /// Two numbers (z zero); NaN and a fault if they are missing and there is no fallback.
+  core::Vector3 pair(const char* key);
   core::Vector3 pair(const char* key, const core::Vector3& fallback);
   /// A list of `least` to `most` numbers; the fallback if the key is missing, with a fault if the fallback is empty.
   std::vector<double> numbers(const char* key, const std::vector<double>& fallback, std::size_t least,

@@ -5,10 +5,15 @@
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Vector3.h>
 #include <geometry_msgs/WrenchStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <tether_monitor/AlarmArray.h>
+#include <tether_monitor/ContactArray.h>
+#include <tether_monitor/Obstacle.h>
 #include <tether_monitor/TetherState.h>
 
 #include <Eigen/Geometry>
+#include <string>
+#include <vector>
 
 #include "tether_monitor/monitor/alarm_set.h"
 #include "tether_monitor/monitor/tether_estimate.h"
@@ -26,6 +31,18 @@ geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v);
 
 /// Fills the message from an estimate; every field is written, so `out` may be used again and again.
 void toMessage(const monitor::TetherEstimate& estimate, TetherState& out);
+
+/// Contacts of an estimate with the obstacles of its model; `header` is left to the caller.
+ContactArray contactsMessage(const monitor::TetherEstimate& estimate, const std::vector<core::Obstacle>& obstacles);
+
+/// An obstacle of a message whose frame is taken to the world by `to_world`. @return what is wrong, or "".
+std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle);
+
+/// Pose and twist (in the body's axes) of a simulated vehicle; estimate.has_vehicle must hold.
+nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
+                                  const monitor::TetherEstimate& estimate);
+
+geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q);
 
 /// A force [N] at a tether end; NaN while there is none.
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/monitor/vibration_report.h"
 
 namespace tether_monitor
 {
@@ -22,6 +22,7 @@ struct DiagnosticFacts
   std::map<std::string, RefusalCount> refusals;  ///< by topic.
   double worst_step_time = 0.0;                  ///< [s] since the start.
   long ticks = 0;
+  monitor::VibrationReport vibration;            ///< of the last look.
 };
 
 /// Likely cause of a reason, and what to do about it, in a sentence.
@@ -30,5 +31,8 @@ std::string advice(monitor::Reason reason);
 /// Fills a status with level, summary, numbers, likely cause and advice.
 void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& facts,
               diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// Fills a status with natural frequencies and what excites them; WARN on resonance with the waves or strumming.
+void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 }  // namespace tether_monitor

@@ -3,9 +3,7 @@
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "tether_monitor/monitor/alarm_set.h"
-#include "tether_monitor/monitor/config.h"
-#include "tether_monitor/monitor/tether_estimate.h"
+#include "tether_monitor/monitor/tether_estimator.h"
 
 namespace tether_monitor
 {
@@ -13,11 +11,10 @@ namespace tether_monitor
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
 
 /**
- * The picture of an estimate: the tether coloured by utilisation ("tether"), the end forces ("force"), a line of
- * text for status and alarms ("status"). Namespaces and ids never change; while INVALID tether and forces are
- * deleted.
+ * The picture of an estimate: the tether coloured by utilisation of its sections ("tether"), the end forces ("force"),
+ * a line of text for status and alarms ("status"), obstacles ("obstacle", id their number) and the seabed under the
+ * tether ("seabed"). Namespaces and ids never change; while INVALID tether and forces are deleted.
  */
-visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::Config& config,
-                                        const monitor::TetherEstimate& estimate, const monitor::AlarmSet& alarms);
+visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator);
 
 }  // namespace tether_monitor

@@ -2,8 +2,11 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <tether_monitor/CurrentProfile.h>
+#include <std_msgs/Float64.h>
+#include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
 #include <tf2/buffer_core.h>
 
@@ -42,12 +45,20 @@ class MeasurementIntake
   std::string take(BodyName body, const nav_msgs::Odometry& message, const ros::Time& now);
   std::string take(const Payout& message, const ros::Time& now);
   std::string take(const CurrentProfile& message, const ros::Time& now);
+  std::string take(const ObstacleArray& message, const ros::Time& now);
+  /// Thrust on a simulated vehicle, in its own axes; other frames are refused.
+  std::string take(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
+  /// Depth of the sea [m].
+  std::string takeDepth(const std_msgs::Float64& message, const ros::Time& now);
+  /// Turns of the winch drum since it was full.
+  std::string takeTurns(const std_msgs::Float64& message, const ros::Time& now);
 
  private:
   std::string stampProblem(const std_msgs::Header& header, const ros::Time& now) const;
   /// Transform at the stamp, or the last one if that is at most pose_timeout away. @throws tf2::TransformException
   geometry_msgs::TransformStamped lookUp(const std::string& world, const std_msgs::Header& header) const;
   std::string transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
+  std::string takeLength(double t, double length, double rate);
   std::string refused(const std::string& why, const ros::Time& now);
   monitor::BodyTrack& track(BodyName body);
   const monitor::BodyConfig& config(BodyName body) const;

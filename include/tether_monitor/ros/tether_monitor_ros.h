@@ -20,8 +20,8 @@ namespace tether_monitor
  * The ROS side of the monitor of one tether: subscribes, ticks, publishes.
  *
  * **Subscribes** (relative): vessel/pose, vehicle/pose, vessel/velocity, vehicle/velocity, vessel/odom,
- * vehicle/odom, payout, current. **Publishes** (private): state, vessel_end/force, vehicle_end/force,
- * over_tension, alarms, markers; /diagnostics.
+ * vehicle/odom, payout, turns, current, obstacles, seabed, vehicle/thrust. **Publishes** (private): state,
+ * vessel_end/force, vehicle_end/force, over_tension, alarms, vehicle/estimate, contacts, markers; /diagnostics.
  * **Services** (private): reset, acknowledge.
  */
 class TetherMonitorRos
@@ -37,13 +37,17 @@ class TetherMonitorRos
  private:
   template <typename Message>
   void subscribeBody(const std::string& topic, BodyName body);
+  /// Subscribes to a topic that `take` takes into the intake.
   template <typename Message>
-  void subscribe(const std::string& topic);
+  void subscribe(const std::string& topic, std::string (MeasurementIntake::*take)(const Message&, const ros::Time&));
   void receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take);
   void noteRefusal(const std::string& topic, const std::string& why);
   void ensureTimeBase(const ros::Time& now);
   void tick();
   void publish(const ros::Time& stamp, double step_time);
+  void publishVehicle(const std_msgs::Header& header);
+  void publishContacts(const std_msgs::Header& header);
+  void lookAtVibration();
   void publishAlarms(const std_msgs::Header& header);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool acknowledge(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -63,9 +67,12 @@ class TetherMonitorRos
 
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher state_pub_, vessel_force_pub_, vehicle_force_pub_, over_tension_pub_, alarms_pub_, markers_pub_;
+  ros::Publisher vehicle_pub_, contacts_pub_;
   ros::ServiceServer reset_server_, acknowledge_server_;
   ros::Timer tick_timer_;
   ros::WallTimer diagnostics_timer_;
+  ros::WallTime last_vibration_;
+  bool had_contact_ = false;
 };
 
 }  // namespace tether_monitor

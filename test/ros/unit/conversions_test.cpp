@@ -72,10 +72,10 @@ TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
       ids.emplace_back(m.ns, m.id);
     return ids;
   };
-  const auto invalid = markers(std_msgs::Header(), config(), estimator.estimate(), estimator.alarms());
+  const auto invalid = markers(std_msgs::Header(), estimator);
   EXPECT_EQ(invalid.markers[0].action, visualization_msgs::Marker::DELETE);
   estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.0, 0.0});
-  const auto valid = markers(std_msgs::Header(), config(), estimator.estimate(), estimator.alarms());
+  const auto valid = markers(std_msgs::Header(), estimator);
   EXPECT_EQ(names(invalid), names(valid));
   EXPECT_EQ(valid.markers[0].action, visualization_msgs::Marker::ADD);
   EXPECT_EQ(valid.markers[0].points.size(), valid.markers[0].colors.size());
@@ -170,7 +170,7 @@ TEST_F(Intake, ChecksPayoutAndCurrent)
   EXPECT_NE(intake.take(payout, now), "");
   payout.length = 80.0;
   EXPECT_EQ(intake.take(payout, now), "");
-  EXPECT_DOUBLE_EQ(estimator.model().length(), 80.0);
+  EXPECT_NE(intake.take(payout, now), "") << "not later than the last";
   CurrentProfile current;
   current.header = pose("map").header;
   current.depth = {0.0, 10.0};
@@ -180,6 +180,54 @@ TEST_F(Intake, ChecksPayoutAndCurrent)
   current.velocity[1].x = 0.5;
   EXPECT_EQ(intake.take(current, now), "");
   EXPECT_DOUBLE_EQ(estimator.model().environment().current.at(-10.0).x(), 0.5);
+}
+
+TEST_F(Intake, ObstaclesAreCheckedAndTakenToTheWorld)
+{
+  ObstacleArray array;
+  array.header = pose("map").header;
+  array.obstacles.resize(1);
+  Obstacle& pile = array.obstacles[0];
+  pile.name = "pile";
+  pile.shape = Obstacle::CYLINDER;
+  pile.pose.position.x = 10.0;
+  pile.size = {0.5};
+  EXPECT_NE(intake.take(array, now).find("size has 1"), std::string::npos);
+  pile.size = {0.5, 20.0};
+  EXPECT_EQ(intake.take(array, now), "");
+  ASSERT_EQ(estimator.model().environment().obstacles.size(), 1u);
+  EXPECT_EQ(estimator.model().environment().obstacles[0].size.y(), 20.0);
+  EXPECT_EQ(estimator.model().environment().obstacles[0].orientation.w(), 1.0) << "an orientation of zeros is none";
+  pile.shape = 7;
+  EXPECT_NE(intake.take(array, now).find("shape = 7"), std::string::npos);
+  pile.shape = Obstacle::CYLINDER;
+  pile.friction = NAN;
+  EXPECT_NE(intake.take(array, now).find("friction"), std::string::npos);
+  EXPECT_EQ(estimator.model().environment().obstacles[0].friction, 0.0) << "a refused message changes nothing";
+}
+
+TEST_F(Intake, ThrustDepthAndTurnsNeedWhatTheyActOn)
+{
+  geometry_msgs::WrenchStamped thrust;
+  thrust.header.stamp = now;
+  thrust.header.frame_id = "base_link";
+  EXPECT_NE(intake.take(thrust, now).find("not simulated"), std::string::npos);
+  std_msgs::Float64 number;
+  number.data = 50.0;
+  EXPECT_NE(intake.takeDepth(number, now).find("environment.seabed"), std::string::npos);
+  EXPECT_NE(intake.takeTurns(number, now).find("winch"), std::string::npos);
+
+  monitor::Config rich = config();
+  rich.environment.seabed = core::Seabed();
+  rich.winch = core::WinchProperties{0.5, 0.6, 4};
+  monitor::TetherEstimator other(rich);
+  MeasurementIntake taking(other, transforms);
+  taking.setTimeBase(TimeBase(ros::Time(100.0)));
+  EXPECT_EQ(taking.takeDepth(number, now), "");
+  EXPECT_EQ(other.model().environment().seabed->depth, 50.0);
+  EXPECT_EQ(taking.takeTurns(number, now), "");
+  number.data = 1e6;
+  EXPECT_NE(taking.takeTurns(number, now).find("turns = "), std::string::npos);
 }
 
 }  // namespace tether_monitor

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "tether_monitor/core/cable_forces.h"
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/stepper.h"
+#include "tether_monitor/monitor/body_track.h"
+#include "tether_monitor/monitor/config.h"
+#include "tether_monitor/simulation/pilot.h"
+
+namespace tether_monitor::simulation
+{
+/**
+ * A vessel, a tether and a vehicle that move together in the sea, with the monitor's core: the truth behind a
+ * scenario. All three are solved in one implicit system.
+ */
+class Simulator
+{
+ public:
+  static constexpr double STEP = 0.05;  ///< [s]; the sea changes little in it.
+
+  /**
+   * Starts from the steady state of the tether at time zero.
+   *
+   * @param config      tether, environment and attachments; its vehicle mode does not matter.
+   * @param simulation  see SimulationConfig.
+   * @throws std::invalid_argument listing every problem; std::runtime_error if there is no steady state.
+   */
+  Simulator(const monitor::Config& config, const SimulationConfig& simulation);
+
+  /// Steps to time t [s], not before the last. @return false if the solver failed: the simulation has ended.
+  bool advance(double t);
+
+  double time() const { return state_.time; }
+  /// Reference points: centres of mass.
+  monitor::BodyState vessel() const;
+  monitor::BodyState vehicle() const;
+  core::PayoutMotion payout() const { return {model_.length(), winch_rate_, 0.0}; }
+  const core::Wrench& vehicleThrust() const { return vehicle_thrust_; }
+  /// Forces of the tether on its ends [N].
+  core::EndForces endForces() const { return core::endForces(model_, state_); }
+  const core::CableModel& model() const { return model_; }
+  const core::CableState& state() const { return state_; }
+  /// Whether the winch moves at all in this scenario.
+  bool hasWinch() const { return !simulation_.winch.empty(); }
+
+ private:
+  void start();
+  core::PayoutPath orderedPayout(double dt);
+
+  monitor::Config config_;
+  SimulationConfig simulation_;
+  core::CableModel model_;
+  core::CableState state_;
+  std::optional<core::Stepper> stepper_;
+  std::optional<Helmsman> helmsman_;
+  std::optional<VehiclePilot> pilot_;
+  core::Wrench vehicle_thrust_;
+  double winch_rate_ = 0.0;  // [m/s]
+};
+
+}  // namespace tether_monitor::simulation

@@ -1,0 +1,144 @@
+#include "tether_monitor/simulation/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tether_monitor/core/bounds.h"
+#include "tether_monitor/core/cable_forces.h"
+#include "tether_monitor/core/statics.h"
+
+namespace tether_monitor::simulation
+{
+namespace
+{
+core::CableModel checkedModel(const monitor::Config& config, const SimulationConfig& simulation)
+{
+  std::vector<std::string> faults = problems(config);
+  for (const std::string& fault : problems(simulation))
+    faults.push_back(fault);
+  core::throwIfAny("scenario", faults);
+  return core::CableModel(config.tether, config.elements, config.environment, config.fittings);
+}
+
+monitor::BodyState bodyState(const core::CableState& state, std::size_t node, const core::Rotation& rotation,
+                             const core::Vector3& attachment)
+{
+  monitor::BodyState body;
+  const core::Vector3 lever = rotation.orientation * attachment;
+  body.orientation = rotation.orientation;
+  body.angular_velocity = rotation.orientation * rotation.velocity;
+  body.position = state.q[node].head<3>() - lever;
+  body.velocity = state.v[node].head<3>() - body.angular_velocity.cross(lever);
+  return body;
+}
+}  // namespace
+
+Simulator::Simulator(const monitor::Config& config, const SimulationConfig& simulation)
+  : config_(config), simulation_(simulation), model_(checkedModel(config, simulation))
+{
+  start();
+}
+
+void Simulator::start()
+{
+  const VesselPlan& plan = simulation_.vessel;
+  core::RigidBody ship = shipLike(plan.ship, config_.environment.water_density);
+  ship.attachment = config_.vessel.attachment;
+  core::RigidBody body = simulation_.vehicle.body;
+  body.attachment = config_.vehicle.attachment;
+
+  core::Rotation turned;
+  turned.orientation = Eigen::AngleAxisd(plan.heading, core::Vector3::UnitZ());
+  const core::Vector3 velocity = plan.speed * (turned.orientation * core::Vector3::UnitX());
+  const core::Vector3 centre(plan.start.x(), plan.start.y(), restingHeight(plan.ship));
+  core::SteadyEnds ends;
+  ends.vessel = centre + turned.orientation * ship.attachment;
+  ends.velocity = velocity;
+  const bool holds = simulation_.vehicle.control == VehicleControl::HOLD;
+  ends.vehicle = simulation_.vehicle.start + body.attachment;
+  if (simulation_.vehicle.control == VehicleControl::THRUST)
+  {
+    vehicle_thrust_.force = simulation_.vehicle.thrust;
+    body.force += simulation_.vehicle.thrust;  // level, its axes those of the world
+  }
+  if (!holds)
+    model_.setBodies({std::nullopt, body});
+  core::NodeField shape;
+  core::Statics statics(model_.nodes());
+  const core::SolveReport found = statics.solve(model_, ends, shape);
+  if (!found.converged())
+    throw std::runtime_error(std::string("the scenario has no steady state to start from: ") +
+                             core::describe(found.status));
+  state_ = core::CableState(0.0, shape, velocity);
+  state_.vessel = turned;
+  core::beginContact(model_, state_);
+  if (holds)
+  {
+    const core::AttachmentMotion at{ends.vehicle, velocity, core::Vector3::Zero()};
+    core::Sea calm = model_.sea();
+    calm.calm();
+    const core::Vector3 others = core::steadyForce(body, calm, at.position, velocity);
+    pilot_.emplace(simulation_.vehicle, -others - core::endForces(model_, state_).vehicle);
+  }
+  body.force = simulation_.vehicle.body.force;
+  model_.setBodies({ship, body});
+  helmsman_.emplace(plan, ship, config_.environment.water_density);
+  core::StepperOptions options = config_.solver;
+  options.scheme = core::Scheme::GENERALIZED_ALPHA;
+  stepper_.emplace(model_, options);
+}
+
+monitor::BodyState Simulator::vessel() const
+{
+  return bodyState(state_, 0, state_.vessel, config_.vessel.attachment);
+}
+
+monitor::BodyState Simulator::vehicle() const
+{
+  return bodyState(state_, state_.q.size() - 1, state_.vehicle, config_.vehicle.attachment);
+}
+
+core::PayoutPath Simulator::orderedPayout(double dt)
+{
+  const WinchOrder* order = nullptr;
+  for (const WinchOrder& candidate : simulation_.winch)
+    if (candidate.time <= state_.time)
+      order = &candidate;
+  const double left = order ? order->length - model_.length() : 0.0;
+  const double a = simulation_.winch_acceleration;
+  double wanted = 0.0;
+  if (order && std::abs(left) > 1e-6)
+    wanted = std::copysign(std::min({order->rate, std::sqrt(a * std::abs(left)), std::abs(left) / dt}), left);
+  const double before = winch_rate_;
+  winch_rate_ = before + std::clamp(wanted - before, -a * dt, a * dt);
+  const double length = model_.length() + 0.5 * dt * (before + winch_rate_);
+  return core::PayoutPath::between(state_.time, {model_.length(), before, 0.0}, state_.time + dt,
+                                   {length, winch_rate_, 0.0});
+}
+
+bool Simulator::advance(double t)
+{
+  while (state_.time < t - 1e-9)
+  {
+    const double dt = std::min(STEP, t - state_.time);
+    core::EndPaths drive;
+    drive.vessel_thrust = helmsman_->steer(vessel(), dt);
+    if (pilot_)
+      vehicle_thrust_ = pilot_->steer(vehicle(), dt);
+    drive.vehicle_thrust = vehicle_thrust_;
+    if (hasWinch())
+    {
+      const core::PayoutPath path = orderedPayout(dt);
+      if (model_.canPayTo(path.at(state_.time + dt).length))
+        drive.payout = path;
+      else
+        winch_rate_ = 0.0;
+    }
+    if (!stepper_->advance(model_, drive, state_.time + dt, state_).converged())
+      return false;
+  }
+  return true;
+}
+
+}  // namespace tether_monitor::simulation
