@@ -10,6 +10,7 @@ import rosbag
 import rospkg
 import rospy
 import rostest
+import yaml
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
 
@@ -109,7 +110,54 @@ class Tools(unittest.TestCase):
         self.assertAlmostEqual(float(ends["vehicle_fz"]), (100.0 - 1025.0 * 0.05) * 9.81, delta=0.01)
         self.refused(run("tether_steady", "--config", config, "--vehicle-position", "1,2,3", "--out", self.out),
                      "cannot be given for a free vehicle")
-        self.refused(self.replay("--bag", TANK_BAG, config=config), "vehicle.mode = free")
+
+    def free_vehicle(self):
+        with open(SITE) as site:
+            return self.file("free.yaml", site.read() + "vehicle: {mode: free, mass: 100.0, volume: 0.05, "
+                             "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1]}\n")
+
+    def test_replay_of_a_free_vehicle(self):
+        rows_of_motion = "".join("%g,%g,0,-1,%g,0,0\n" % (0.1 * i, 0.05 * i, 0.0 if i < 50 else 30.0)
+                                 for i in range(100))
+        header = "t,vessel_x,vessel_y,vessel_z,thrust_x,thrust_y,thrust_z\n"
+        ended = self.replay("--motion", self.file("m.csv", header + rows_of_motion), config=self.free_vehicle())
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        ends = rows(self.out + "/ends.csv")
+        self.assertEqual(list(ends[0])[-7:], ["vehicle_x", "vehicle_y", "vehicle_z", "vehicle_qx", "vehicle_qy",
+                                              "vehicle_qz", "vehicle_qw"])
+        self.assertGreater(float(ends[-1]["vehicle_x"]), float(ends[0]["vehicle_x"]))
+        self.assertEqual({row["status"] for row in ends}, {"OK"})
+        self.refused(self.replay("--motion", self.file("m.csv", HEADER + "0,0,0,1,60,0,-70\n"),
+                                 config=self.free_vehicle()), "vehicle_x is not for a free vehicle")
+        self.refused(self.replay("--motion", self.file("m.csv", HEADER[:-1] + ",thrust_x,thrust_y,thrust_z\n"
+                                                       "0,0,0,1,60,0,-70,1,0,0\n")), "thrust_x is not known")
+
+    def test_replay_with_the_papers_scheme_and_contacts(self):
+        with open(SITE) as site:
+            tree = yaml.safe_load(site)
+        tree["solver"] = {"integrator": "abarbanel_zwas", "corrections": 1}
+        tree["tether"].update(axial_stiffness=2.0e5, elements=6)
+        tree["environment"] = {"seabed": {"depth": 60.0}, "waves": {"amplitude": 0.5, "length": 60.0}}
+        config = self.file("site.yaml", yaml.safe_dump(tree))
+        motion = "".join("%g,0,0,1,60,0,-59.9,100\n" % (0.5 * i) for i in range(5))
+        ended = self.replay("--motion", self.file("m.csv", HEADER[:-1] + ",payout\n" + motion), config=config)
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        self.assertIn("stress", rows(self.out + "/shape.csv")[0])
+        self.assertNotIn("INVALID", {row["status"] for row in rows(self.out + "/ends.csv")})
+
+    def test_modes(self):
+        ended = run("tether_steady", "--config", SITE, "--vessel-position", "0,0,-1", "--vehicle-position", "70,0,-70",
+                    "--modes", "7", "--out", self.out, "--quiet")
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        modes = rows(self.out + "/modes.csv")
+        self.assertEqual([row["mode"] for row in modes], [str(i) for i in range(1, 8)])
+        frequencies = [float(row["frequency_hz"]) for row in modes]
+        self.assertEqual(frequencies, sorted(frequencies))
+        self.assertLessEqual({row["kind"] for row in modes}, {"axial", "transverse"})
+        shapes = rows(self.out + "/mode_shapes.csv")
+        self.assertEqual(list(shapes[0]), ["mode", "s", "dx", "dy", "dz"])
+        self.refused(run("tether_steady", "--config", SITE, "--vehicle-position", "70,0,-70", "--modes", "-1",
+                         "--out", self.out), "--modes")
 
     def test_motion_with_a_gap_in_time(self):
         motion = self.file("m.csv", "# a comment\n" + HEADER + "0,0,0,1,60,0,-70\n0.5,0,0,1,60.1,0,-70\n4,0,0,1,61,0,-70\n")
