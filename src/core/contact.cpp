@@ -25,7 +25,7 @@ struct Surface
   Matrix3 curvature;   // d normal / d point
   Vector3 velocity;    // of the point against the surface
   Vector3 stretch;     // of the friction spring before it slips
-  bool steady;
+  FrictionMode friction_mode;
 };
 
 // Force of a surface on the tether, per metre.
@@ -60,11 +60,11 @@ Touch touch(const Surface& on, double diameter, const TangentWeights& w)
                                     : on.penetration * on.penetration * share / 6.0);
 
   const double limit = on.friction * N;
-  if (limit <= 0.0)
+  if (limit <= 0.0 && on.friction_mode != FrictionMode::GLUED)
     return out;
   const Matrix3 P = Matrix3::Identity() - on.normal * on.normal.transpose();
   const Vector3 slide = P * on.velocity;
-  if (on.steady)
+  if (on.friction_mode == FrictionMode::SLIDING)
   {
     const double speed = slide.norm();
     if (speed > 1e-6)
@@ -76,6 +76,16 @@ Touch touch(const Surface& on, double diameter, const TangentWeights& w)
     return out;
   }
   const Vector3 stretch = P * on.stretch;
+  if (on.friction_mode == FrictionMode::GLUED)
+  {
+    // Begins softly, as the normal force, so that touching down is no jump.
+    const Vector3 pull = -on.stiffness * stretch;
+    const double rising = full ? 0.0 : 1.0 / soft;
+    out.force += share * pull;
+    out.stiffness += w.stiffness * (share * on.stiffness * P + rising * pull * on.normal.transpose());
+    out.stretch = stretch;
+    return out;
+  }
   const Vector3 hold = -(on.stiffness * stretch + on.damping * slide);  // (M23)
   const double size = hold.norm();
   const double elastic = w.stiffness * on.stiffness + w.damping * on.damping;
@@ -133,7 +143,7 @@ Surface floorUnder(const CableModel& model, const CableState& state, const Point
   const double damping = std::max(bed.damping, STEP_DAMPING * state.contact.step * bed.normal_stiffness);
   Surface surface{bed.normal_stiffness * diameter, damping * diameter, bed.friction,
                   0.5 * diameter - (at.r.z() - floor.z) * floor.normal.z(), floor.normal, Matrix3::Zero(), at.v,
-                  Vector3::Zero(), state.contact.steady};
+                  Vector3::Zero(), state.contact.friction};
   if (!state.contact.seabed.empty())
     surface.stretch = at.r + at.drift - state.contact.seabed[at.index];
   return surface;
@@ -160,7 +170,7 @@ int deepestObstacle(const CableModel& model, const CableState& state, const Poin
     const double k_d = obstacles[k].stiffness * diameter;
     const double damping = std::max(OBSTACLE_DAMPING, STEP_DAMPING * state.contact.step) * k_d;
     surface = {k_d, damping, obstacles[k].friction, penetration, gap.normal, gap.curvature,
-               at.v - state.obstacles[k].velocity, Vector3::Zero(), state.contact.steady};
+               at.v - state.obstacles[k].velocity, Vector3::Zero(), state.contact.friction};
     if (!state.contact.obstacle.empty())
       surface.stretch = at.r + at.drift - state.contact.obstacle[at.index] -
                         (state.obstacles[k].position - state.contact.obstacle_position[k]);
@@ -301,9 +311,9 @@ void beginContact(const CableModel& model, CableState& state)
   memory.obstacle_position.assign(obstacles.size(), Vector3::Zero());
   memory.seabed.assign(model.sea().hasSeabed() ? POINTS * model.elements() : 0, Vector3::Zero());
   memory.obstacle.assign(obstacles.empty() ? 0 : POINTS * model.elements(), Vector3::Zero());
-  memory.steady = true;  // no springs to carry over
+  memory.friction = FrictionMode::SLIDING;  // no springs to carry over
   acceptContact(model, state);
-  memory.steady = false;
+  memory.friction = FrictionMode::STICK_SLIP;
 }
 
 void acceptContact(const CableModel& model, CableState& state)

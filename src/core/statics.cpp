@@ -5,6 +5,7 @@
 
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/initial_shape.h"
+#include "tether_monitor/core/laid_shape.h"
 #include "tether_monitor/core/quadrature.h"
 #include "tether_monitor/core/shape_functions.h"
 
@@ -15,6 +16,7 @@ namespace
 constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is folded
 constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
 constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
+constexpr double CREEP = 1e-3;            // speed of the ends below which a tether lies still [m/s]
 constexpr double NEWTON_TAU = 1e9;        // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
@@ -60,10 +62,23 @@ HeldEnds steadyHeld(const CableModel& model)
   return {true, !model.bodies().vehicle};
 }
 
+bool dipsBelowFloor(const CableModel& model, const NodeField& shape)
+{
+  for (const NodeCoords& node : shape)
+    if (node.z() < model.sea().floorAt(node.head<3>()).z)
+      return true;
+  return false;
+}
+
 NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
 {
-  return model.bodies().vehicle ? hangingShape(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
+  const bool hangs = model.bodies().vehicle.has_value();
+  const NodeField shape = hangs ? hangingShape(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
                                 : initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+  if (!model.sea().hasSeabed() || !dipsBelowFloor(model, shape))
+    return shape;
+  const NodeField laid = laidShape(model, ends.vessel, hangs ? Vector3(shape.back().head<3>()) : ends.vehicle);
+  return laid.empty() ? shape : laid;
 }
 }  // namespace
 
@@ -101,15 +116,28 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
 
 SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
-  SolveReport total;
   trial_ = CableState(0.0, shape, ends.velocity);
   NodeField& q = trial_.q;
   q.front().head<3>() = ends.vessel;
   if (!model.bodies().vehicle)
     q.back().head<3>() = ends.vehicle;
   beginContact(model, trial_);
-  trial_.contact.steady = true;
 
+  // A tether that is drawn over the floor slides on it. One at rest is held by it, else its slack would have no place.
+  const bool slides = ends.velocity.norm() > CREEP || !model.hasContact();
+  trial_.contact.friction = slides ? FrictionMode::SLIDING : FrictionMode::GLUED;
+  SolveReport total = relax(model, ends);
+  if (total.converged() && isFolded(model, q))
+    total.status = SolveStatus::FALSE_BRANCH;
+  if (total.converged())
+    shape = q;
+  return total;
+}
+
+SolveReport Statics::relax(const CableModel& model, const SteadyEnds& ends)
+{
+  SolveReport total;
+  NodeField& q = trial_.q;
   // First step: the mean load per metre moves a free tether by FIRST_MOVE of its length.
   const double tau_0 = FIRST_MOVE * model.length() / (model.forceScale() / model.length());
   double tau = tau_0;
@@ -133,13 +161,9 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
     }
     ++total.steps;
     if (is_newton)
-    {
-      if (isFolded(model, q))
-        total.status = SolveStatus::FALSE_BRANCH;
-      else
-        shape = q;
       return total;
-    }
+    if (trial_.contact.friction != FrictionMode::SLIDING)
+      acceptContact(model, trial_);
     tau *= report.iterations <= 4 ? 4.0 : 1.5;
   }
   total.status = SolveStatus::BUDGET_SPENT;
@@ -199,6 +223,42 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
     for (int i = 0; i < model.nodes(); ++i)
       trial_.q[i] -= residual_[i];
   }
+}
+
+SolveReport settleContact(CableModel& model, Stepper& stepper, CableState& state)
+{
+  constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
+  constexpr double STILL = 2e-3;                   // [m/s]
+  SolveReport total;
+  ContactSummary contact;
+  contact.obstacles.resize(state.obstacles.size());
+  summariseContact(model, state, contact);
+  const bool touches = contact.seabed_length > 0.0 ||
+                       std::any_of(contact.obstacles.begin(), contact.obstacles.end(),
+                                   [](const ContactSummary::Touch& touch) { return touch.total > 0.0; });
+  if (!touches || state.v.front().head<3>().norm() > CREEP)
+    return total;
+  const double time = state.time;
+  const std::vector<ObstacleMotion> obstacles = state.obstacles;
+  for (ObstacleMotion& obstacle : state.obstacles)
+    obstacle.velocity.setZero();
+  EndPaths rest;
+  rest.vessel = EndPath::uniform(time, {state.q.front().head<3>(), Vector3::Zero()});
+  rest.vehicle = EndPath::uniform(time, {state.q.back().head<3>(), Vector3::Zero()});
+  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
+  {
+    total = stepper.advance(model, rest, time + t, state);
+    double fastest = 0.0;
+    for (const NodeCoords& v : state.v)
+      fastest = std::max(fastest, v.head<3>().norm());
+    if (!total.converged() || fastest < STILL)
+      break;
+  }
+  state.time = state.contact.time = time;
+  state.obstacles = obstacles;
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+    state.contact.obstacle_position[k] = obstacles[k].position;
+  return total;
 }
 
 }  // namespace tether_monitor::core

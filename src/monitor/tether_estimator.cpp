@@ -267,6 +267,9 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
       return false;
   }
   core::beginContact(model_, state_);
+  last_solve_ = core::settleContact(model_, stepper_, state_);
+  if (!last_solve_.converged())
+    return false;
   payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
   strumming_at_ = -std::numeric_limits<double>::infinity();
   settled_ = true;

@@ -25,6 +25,14 @@ struct ObstacleMotion
   Vector3 aux = Vector3::Zero();           ///< algorithmic acceleration, (M12).
 };
 
+/// How friction acts.
+enum class FrictionMode
+{
+  STICK_SLIP,  ///< springs that slip at Coulomb's limit.
+  SLIDING,     ///< steady motion: against the velocity, at the limit.
+  GLUED        ///< springs that never slip, on the way to a steady state.
+};
+
 /**
  * What friction remembers: for every integration point the place on a surface to which its friction spring is tied,
  * (M23). Empty while nothing can be touched.
@@ -33,7 +41,7 @@ struct ContactMemory
 {
   double time = 0.0;                      ///< [s] of these places.
   double step = 0.0;                      ///< [s] of the step that is, or was, made: a contact is damped at least as it can resolve.
-  bool steady = false;                    ///< steady motion: sliding friction against the velocity, no springs.
+  FrictionMode friction = FrictionMode::STICK_SLIP;
   std::vector<Vector3> seabed;            ///< [m]
   std::vector<Vector3> obstacle;          ///< [m] on the obstacle touched deepest.
   std::vector<Vector3> obstacle_position;  ///< centre of every obstacle [m].

@@ -4,6 +4,7 @@
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/newton_options.h"
 #include "tether_monitor/core/solve_report.h"
+#include "tether_monitor/core/stepper.h"
 
 namespace tether_monitor::core
 {
@@ -30,7 +31,10 @@ struct StaticsOptions
  *
  * Model: (M16) of doc/model.md. The overdamped motion D dq/dtau + R(q) = 0 with backward Euler steps that grow as
  * the residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's
- * method on R = 0.
+ * method on R = 0. Waves are taken away.
+ *
+ * Where a tether at rest touches a surface it stays as it came down, however little friction there is: what lies on
+ * the seabed has no steady state of its own. settleContact() lets go what friction does not hold.
  */
 class Statics
 {
@@ -48,6 +52,8 @@ class Statics
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
  private:
+  // The flow from trial_ to its end.
+  SolveReport relax(const CableModel& model, const SteadyEnds& ends);
   // One backward Euler step from start_; scale is 1 / dtau, 0 for Newton's method on R = 0.
   SolveReport flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left);
   ResidualSize assemble(const CableModel& model, const SteadyEnds& ends, double scale,
@@ -58,5 +64,14 @@ class Statics
   NodeField start_, residual_;
   BlockTridiagonal tangent_;
 };
+
+/**
+ * Lets a tether at rest in contact slip where friction does not hold it: steps it with its ends at rest until nothing
+ * moves, up to a minute. Does nothing without contact, or where the ends move.
+ *
+ * @param state  a steady state of Statics, after beginContact(); in and out, its time stays.
+ * @return       how the stepping went; CONVERGED if there was nothing to do.
+ */
+SolveReport settleContact(CableModel& model, Stepper& stepper, CableState& state);
 
 }  // namespace tether_monitor::core

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tether_monitor/core/cable_model.h"
+
+namespace tether_monitor::core
+{
+/**
+ * A starting curve for a tether that reaches the seabed: a catenary leg from each end down to the floor, and what is
+ * left lies between the feet, straight if that is its length, else in an arc.
+ *
+ * @param model            has a seabed.
+ * @param vessel, vehicle  positions of the two ends [m]; one below the floor counts as on it.
+ * @return                 coordinates of every node; empty if a tether of this length does not reach the floor.
+ */
+NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle);
+
+}  // namespace tether_monitor::core
