@@ -175,8 +175,7 @@ SolveReport AbarbanelZwas::step(CableModel& model, const EndPaths& ends, double 
     if (model.bodies().vehicle)
       trial_.vehicle.acceleration -= vehicle_.solve(residual_.back());
     for (const int p : pushed_)
-      trial_.obstacles[p].acceleration =
-          -border_.residual(p) / model.environment().obstacles[p].mass;
+      trial_.obstacles[p].acceleration = -border_.residual(p) / model.environment().obstacles[p].mass;
     if (k == 0)
     {
       trial_.time = state.time + h;

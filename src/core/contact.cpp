@@ -22,9 +22,9 @@ struct Surface
   double stiffness, damping, friction;  // k d [N/m^2], c d [N s/m^2], mu
   double penetration;                   // [m], > 0 in contact
   Vector3 normal;
-  Matrix3 curvature;   // d normal / d point
-  Vector3 velocity;    // of the point against the surface
-  Vector3 stretch;     // of the friction spring before it slips
+  Matrix3 curvature;  // d normal / d point
+  Vector3 velocity;   // of the point against the surface
+  Vector3 stretch;    // of the friction spring before it slips
   FrictionMode friction_mode;
 };
 
@@ -32,7 +32,7 @@ struct Surface
 struct Touch
 {
   Vector3 force = Vector3::Zero();
-  Vector3 stretch = Vector3::Zero();  // of the friction spring
+  Vector3 stretch = Vector3::Zero();    // of the friction spring
   Matrix3 stiffness = Matrix3::Zero();  // weighted -d force / d point
   double normal_force = 0.0;
   double energy = 0.0;
@@ -122,8 +122,8 @@ Point pointAt(const CableModel& model, int i, int g, const CableState& state, co
 {
   const ElementParameters& p = model.element(i);
   const GaussPoint& gauss = GAUSS_POINTS[g];
-  Point point{POINTS * i + g, gauss.weight * p.length, shapeFunctions(gauss.xi, p.length), Vector3::Zero(),
-              Vector3::Zero(), Vector3::Zero()};
+  Point point{POINTS * i + g,  gauss.weight * p.length, shapeFunctions(gauss.xi, p.length),
+              Vector3::Zero(), Vector3::Zero(),         Vector3::Zero()};
   point.r = interpolate(point.shape, q);
   point.v = interpolate(point.shape, v);
   if (p.flow.active)
@@ -141,9 +141,15 @@ Surface floorUnder(const CableModel& model, const CableState& state, const Point
   const Seabed& bed = *model.sea().environment().seabed;
   const Seabed::Place floor = model.sea().floorAt(at.r);
   const double damping = std::max(bed.damping, STEP_DAMPING * state.contact.step * bed.normal_stiffness);
-  Surface surface{bed.normal_stiffness * diameter, damping * diameter, bed.friction,
-                  0.5 * diameter - (at.r.z() - floor.z) * floor.normal.z(), floor.normal, Matrix3::Zero(), at.v,
-                  Vector3::Zero(), state.contact.friction};
+  Surface surface{bed.normal_stiffness * diameter,
+                  damping * diameter,
+                  bed.friction,
+                  0.5 * diameter - (at.r.z() - floor.z) * floor.normal.z(),
+                  floor.normal,
+                  Matrix3::Zero(),
+                  at.v,
+                  Vector3::Zero(),
+                  state.contact.friction};
   if (!state.contact.seabed.empty())
     surface.stretch = at.r + at.drift - state.contact.seabed[at.index];
   return surface;
@@ -169,8 +175,15 @@ int deepestObstacle(const CableModel& model, const CableState& state, const Poin
     deepest = static_cast<int>(k);
     const double k_d = obstacles[k].stiffness * diameter;
     const double damping = std::max(OBSTACLE_DAMPING, STEP_DAMPING * state.contact.step) * k_d;
-    surface = {k_d, damping, obstacles[k].friction, penetration, gap.normal, gap.curvature,
-               at.v - state.obstacles[k].velocity, Vector3::Zero(), state.contact.friction};
+    surface = {k_d,
+               damping,
+               obstacles[k].friction,
+               penetration,
+               gap.normal,
+               gap.curvature,
+               at.v - state.obstacles[k].velocity,
+               Vector3::Zero(),
+               state.contact.friction};
     if (!state.contact.obstacle.empty())
       surface.stretch = at.r + at.drift - state.contact.obstacle[at.index] -
                         (state.obstacles[k].position - state.contact.obstacle_position[k]);
@@ -206,7 +219,8 @@ Nearness nearness(const CableModel& model, const CableState& state, int i)
 
 // Calls visit(point, touch, obstacle) for every contact of element i; obstacle -1 is the seabed.
 template <typename Visit>
-void forContacts(const CableModel& model, const CableState& state, int i, const TangentWeights& w, const Visit& visit)
+void forContacts(const CableModel& model, const CableState& state, int i, const TangentWeights& w,
+                 const Visit& visit)
 {
   const Nearness near = nearness(model, state, i);
   if (!near.floor && !near.obstacle)
@@ -247,8 +261,8 @@ ObstacleBorder borderFor(const CableModel& model, std::vector<int>& pushed)
   return pushed.empty() ? ObstacleBorder() : ObstacleBorder(has_mass, model.nodes());
 }
 
-void addContact(const CableModel& model, const CableState& state, const TangentWeights& weights, NodeField& residual,
-                BlockTridiagonal* tangent, ObstacleBorder* border)
+void addContact(const CableModel& model, const CableState& state, const TangentWeights& weights,
+                NodeField& residual, BlockTridiagonal* tangent, ObstacleBorder* border)
 {
   ElementMatrix J;
   for (int i = 0; i < model.elements(); ++i)

@@ -40,11 +40,11 @@ void addAxial(const ElementParameters& p, const MaterialPoint& at, const Tangent
   if constexpr (WITH_TANGENT)
   {
     const double cube = inverse * inverse * inverse;
-    out.n_dr += w.stiffness * N * Matrix3::Identity() +
-                cube * at.slope *
-                    ((w.stiffness * law.modulus + w.damping * viscous) * at.slope +
-                     w.stiffness * viscous * at.slope_rate)
-                        .transpose();
+    out.n_dr +=
+        w.stiffness * N * Matrix3::Identity() +
+        cube * at.slope *
+            ((w.stiffness * law.modulus + w.damping * viscous) * at.slope + w.stiffness * viscous * at.slope_rate)
+                .transpose();
   }
 }
 
@@ -68,7 +68,8 @@ void addWater(const ElementParameters& p, const Sea& sea, double piece, double t
               const TangentWeights& w, PointLoads& out)
 {
   const Water water = sea.waterAt(at.r, time);
-  const Submersion wet = submersion(at.r.z() - water.surface, std::abs(at.slope.z()) * piece + p.diameter);  // (M8)
+  const Submersion wet =
+      submersion(at.r.z() - water.surface, std::abs(at.slope.z()) * piece + p.diameter);  // (M8)
   const double shrunk = at.r.z() < 0.0 ? std::max(1.0 + p.compression * at.r.z(), 0.1) : 1.0;
   const double displaced = sea.density() * p.area * shrunk * shrunk;
   out.f.z() += sea.gravity() * (p.mass - displaced * wet.share);
@@ -103,7 +104,8 @@ void addWater(const ElementParameters& p, const Sea& sea, double piece, double t
   }
 }
 
-// Rates of the material where the tether runs through the mesh, (M24). Adds the inertia that the mass matrix misses.
+// Rates of the material where the tether runs through the mesh, (M24). Adds the inertia that the mass matrix
+// misses.
 template <bool WITH_TANGENT>
 void addFlow(const ElementParameters& p, double xi, const ShapeValues& S, const ShapeValues& dS,
              const ElementMotion& m, const TangentWeights& w, MaterialPoint& at, PointLoads& out)
@@ -155,8 +157,8 @@ void evaluate(const ElementParameters& p, const Sea& sea, const ElementMotion& m
     const ShapeValues S = shapeFunctions(point.xi, p.length);
     const ShapeValues dS = shapeSlopes(point.xi, p.length);
     const double weight = point.weight * p.length;
-    MaterialPoint point_motion{interpolate(S, m.q), interpolate(dS, m.q), interpolate(dS, m.v), interpolate(S, m.v),
-                               interpolate(S, m.a)};
+    MaterialPoint point_motion{interpolate(S, m.q), interpolate(dS, m.q), interpolate(dS, m.v),
+                               interpolate(S, m.v), interpolate(S, m.a)};
     PointLoads at;
     if (p.flow.active)
       addFlow<WITH_TANGENT>(p, point.xi, S, dS, m, w, point_motion, at);

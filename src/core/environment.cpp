@@ -13,7 +13,8 @@ std::vector<std::string> problems(const Environment& environment)
   check.require(environment.waves.amplitude == 0.0 || environment.gravity > 0.0, "gravity", environment.gravity,
                 "> 0 m/s^2 where there are waves");
   std::vector<std::string> found = check.problems();
-  const auto add = [&](const std::vector<std::string>& more) { found.insert(found.end(), more.begin(), more.end()); };
+  const auto add = [&](const std::vector<std::string>& more)
+  { found.insert(found.end(), more.begin(), more.end()); };
   add(problems(environment.waves));
   if (environment.seabed)
     add(problems(*environment.seabed));

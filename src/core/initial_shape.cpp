@@ -60,10 +60,10 @@ Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& v
   }
   load /= SAMPLES;
   for (const PointLoad& point : model.pointLoads())
-    load -=
-        pointLoadResidual(point, sea, 0.0, vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel),
-                          velocity, Vector3::Zero(), TangentWeights{}, nullptr) /
-        model.length();
+    load -= pointLoadResidual(point, sea, 0.0,
+                              vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel), velocity,
+                              Vector3::Zero(), TangentWeights{}, nullptr) /
+            model.length();
   return load;
 }
 }  // namespace
@@ -149,8 +149,7 @@ NodeField hangingShape(const CableModel& model, const Vector3& vessel, const Vec
       const ElementParameters& e = model.element(std::max(i - 1, 0));
       for (const PointLoad& load : model.pointLoads())
         if (load.node == i)
-          n -= pointLoadResidual(load, model.sea(), 0.0, r, velocity, Vector3::Zero(), TangentWeights{},
-                                 nullptr);
+          n -= pointLoadResidual(load, model.sea(), 0.0, r, velocity, Vector3::Zero(), TangentWeights{}, nullptr);
       shape[i] << r, (1.0 + n.norm() / e.axial.stiffness) * direction(n);
       for (int part = 0; part < PARTS && i > 0; ++part)
       {

@@ -96,7 +96,8 @@ void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, do
   placeEnds(model, ends);
 }
 
-ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths& ends, const TangentWeights& weights)
+ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths& ends,
+                                        const TangentWeights& weights)
 {
   ObstacleBorder* border = pushed_.empty() ? nullptr : &border_;
   if (border)
@@ -109,9 +110,9 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
   {
     reaction = std::max({reaction, residual_[node].head<3>().norm(), 1e-3 * 9.81 * body.mass});
 
-    const double open = turning.coupling.assemble(body, model.sea(), trial_.time, motionOf(trial_, node), rotation,
-                                                  thrust, weights, residual_[node],
-                                                  tangent_.diagonal(static_cast<int>(node)));
+    const double open =
+        turning.coupling.assemble(body, model.sea(), trial_.time, motionOf(trial_, node), rotation, thrust,
+                                  weights, residual_[node], tangent_.diagonal(static_cast<int>(node)));
     unbalanced = std::max(unbalanced, open);
   };
   if (model.bodies().vessel)

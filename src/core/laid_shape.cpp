@@ -74,7 +74,8 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
   if (span >= L)
     return {};
 
-  // Both legs have the same horizontal force: one parameter a, found from what the legs are longer than their spans.
+  // Both legs have the same horizontal force: one parameter a, found from what the legs are longer than their
+  // spans.
   const auto slack = [&](double a)
   {
     first.a = last.a = a;
@@ -130,7 +131,8 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
     }
     Vector3 r = vessel + x * ahead + y * aside;
     r.z() = model.sea().floorAt(r).z + 0.5 * model.element(0).diameter + up;
-    const Vector3 t = (std::cos(heading) * ahead + std::sin(heading) * aside + slope * Vector3::UnitZ()).normalized();
+    const Vector3 t =
+        (std::cos(heading) * ahead + std::sin(heading) * aside + slope * Vector3::UnitZ()).normalized();
     shape[i] << r, t;
   }
   shape.front().head<3>() = vessel;

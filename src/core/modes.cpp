@@ -44,7 +44,8 @@ Sparse symmetric(const CableModel& model, const CableState& state, const Tangent
   {
     const AttachmentMotion at{state.q[node].head<3>(), state.v[node].head<3>(), Vector3::Zero()};
     matrix.diagonal(node).topLeftCorner<3, 3>() +=
-        bodyResponse(body, model.sea(), state.time, at, node == 0 ? state.vessel : state.vehicle, Wrench(), weights)
+        bodyResponse(body, model.sea(), state.time, at, node == 0 ? state.vessel : state.vehicle, Wrench(),
+                     weights)
             .force_n;
   };
   if (model.bodies().vessel)
@@ -109,8 +110,8 @@ double largestDisplacement(const CableModel& model, const NodeField& shape)
   double largest = 0.0;
   for (int i = 0; i < model.elements(); ++i)
     for (const double xi : {0.0, 0.5, 1.0})
-      largest = std::max(
-          largest, interpolate(shapeFunctions(xi, model.element(i).length), elementCoords(shape, i)).norm());
+      largest = std::max(largest,
+                         interpolate(shapeFunctions(xi, model.element(i).length), elementCoords(shape, i)).norm());
   return largest;
 }
 }  // namespace

@@ -9,8 +9,8 @@ namespace tether_monitor::core
 {
 namespace
 {
-// Outside: the way to the nearest point of a convex core; the normal turns as on a sphere about that point, but only
-// in the directions that leave the point (free).
+// Outside: the way to the nearest point of a convex core; the normal turns as on a sphere about that point, but
+// only in the directions that leave the point (free).
 Separation fromNearest(const Vector3& p, const Vector3& nearest, const Vector3& free)
 {
   const Vector3 way = p - nearest;
@@ -42,7 +42,8 @@ Separation cylinder(double radius, double half, const Vector3& p)
     const double distance = std::hypot(out_r, out_z);
     const Vector3 n = (out_r * radial + sign * out_z * Vector3::UnitZ()) / distance;
     const Vector3 along = n.cross(around);
-    return {distance, n, along * along.transpose() / distance + around * around.transpose() * (out_r / distance / r)};
+    return {distance, n,
+            along * along.transpose() / distance + around * around.transpose() * (out_r / distance / r)};
   }
   if (out_r > out_z)
     return {out_r, radial, r > 1e-9 ? Matrix3(around * around.transpose() / r) : Matrix3::Zero()};
@@ -64,7 +65,9 @@ Separation box(const Vector3& half, const Vector3& p)
 std::vector<std::string> problems(const Obstacle& obstacle, const std::string& prefix)
 {
   BoundsCheck check(prefix);
-  const int sizes = obstacle.shape == ObstacleShape::SPHERE ? 1 : obstacle.shape == ObstacleShape::CYLINDER ? 2 : 3;
+  const int sizes = obstacle.shape == ObstacleShape::SPHERE     ? 1
+                    : obstacle.shape == ObstacleShape::CYLINDER ? 2
+                                                                : 3;
   for (int i = 0; i < sizes; ++i)
     check.positive(("size[" + std::to_string(i) + "]").c_str(), obstacle.size[i], "m");
   check.finite("position (norm)", obstacle.position.norm(), "m");
@@ -83,8 +86,9 @@ Separation separation(const Obstacle& obstacle, const Vector3& offset)
     return sphere(obstacle.size[0], offset);
   const Matrix3 R = obstacle.orientation.toRotationMatrix();
   const Vector3 p = R.transpose() * offset;
-  Separation local = obstacle.shape == ObstacleShape::CYLINDER ? cylinder(obstacle.size[0], 0.5 * obstacle.size[1], p)
-                                                               : box(0.5 * obstacle.size, p);
+  Separation local = obstacle.shape == ObstacleShape::CYLINDER
+                         ? cylinder(obstacle.size[0], 0.5 * obstacle.size[1], p)
+                         : box(0.5 * obstacle.size, p);
   return {local.distance, R * local.normal, R * local.curvature * R.transpose()};
 }
 

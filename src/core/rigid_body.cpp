@@ -10,6 +10,7 @@ namespace tether_monitor::core
 {
 namespace
 {
+constexpr double LANDING_CREEP = 0.01;  // speed at which half of the friction on a landed body acts [m/s]
 constexpr int COLUMNS_ALONG = 8, COLUMNS_ACROSS = 4;  // of a hull
 
 // Buoyancy of a body: force along z of the world and its moment about the centre of mass, world axes.
@@ -17,12 +18,12 @@ struct Lift
 {
   double force = 0.0;
   Vector3 moment = Vector3::Zero();
-  double share = 0.0;               // of the body under water
-  double volume = 0.0;              // under water [m^3]
-  double stiffness = 0.0;           // -d force / dz
-  Vector3 force_turn = Vector3::Zero();     // d force / d rotation in world axes
-  Vector3 moment_rise = Vector3::Zero();    // d moment / dz
-  Matrix3 moment_turn = Matrix3::Zero();    // d moment / d rotation in world axes
+  double share = 0.0;                     // of the body under water
+  double volume = 0.0;                    // under water [m^3]
+  double stiffness = 0.0;                 // -d force / dz
+  Vector3 force_turn = Vector3::Zero();   // d force / d rotation in world axes
+  Vector3 moment_rise = Vector3::Zero();  // d moment / dz
+  Matrix3 moment_turn = Matrix3::Zero();  // d moment / d rotation in world axes
 };
 
 void addColumn(double weight, double wet, bool pierces, const Vector3& arm, double area, Lift& lift)
@@ -51,13 +52,13 @@ Lift liftOfHull(const Hull& hull, const Sea& sea, double t, const Vector3& centr
   for (int i = 0; i < COLUMNS_ALONG; ++i)
     for (int j = 0; j < COLUMNS_ACROSS; ++j)
     {
-      const Vector3 foot =
-          hull.keel + Vector3(((i + 0.5) / COLUMNS_ALONG - 0.5) * hull.size.x(),
-                              ((j + 0.5) / COLUMNS_ACROSS - 0.5) * hull.size.y(), 0.0);
+      const Vector3 foot = hull.keel + Vector3(((i + 0.5) / COLUMNS_ALONG - 0.5) * hull.size.x(),
+                                               ((j + 0.5) / COLUMNS_ACROSS - 0.5) * hull.size.y(), 0.0);
       const Vector3 below = R * foot;
-      const double surface = sea.wave().isCalm() ? 0.0
-                                                 : sea.wave().elevation(centre.x() + below.x() + sea.origin().x(),
-                                                                        centre.y() + below.y() + sea.origin().y(), t);
+      const double surface = sea.wave().isCalm()
+                                 ? 0.0
+                                 : sea.wave().elevation(centre.x() + below.x() + sea.origin().x(),
+                                                        centre.y() + below.y() + sea.origin().y(), t);
       const double depth = surface - (centre.z() + below.z());
       const double wet = std::clamp(depth, 0.0, hull.size.z());
       if (wet > 0.0)
@@ -81,6 +82,39 @@ Lift liftOfVolume(const RigidBody& body, const Sea& sea, double surface, const V
   if (wet.share > 0.0)
     lift.moment_rise = -moment * (wet.slope / wet.share);
   return lift;
+}
+
+// The seabed under a body, as under a ball of its volume: force on the body and its weighted stiffness, world
+// axes.
+struct Landing
+{
+  Vector3 force = Vector3::Zero();
+  Matrix3 stiffness = Matrix3::Zero();
+};
+
+Landing landing(const RigidBody& body, const Sea& sea, const Vector3& centre, const Vector3& velocity,
+                const TangentWeights& w)
+{
+  Landing out;
+  const double radius = 0.5 * std::cbrt(body.volume);
+  const Seabed::Place floor = sea.floorAt(centre);
+  const double penetration = radius - (centre.z() - floor.z) * floor.normal.z();
+  if (penetration <= 0.0)
+    return out;
+  const Seabed& bed = *sea.environment().seabed;
+  const double area = M_PI * radius * radius;
+  const double share = std::min(penetration / (0.1 * radius), 1.0);  // the damper comes in softly
+  const double N = area * (bed.normal_stiffness * penetration - share * bed.damping * floor.normal.dot(velocity));
+  if (N <= 0.0)
+    return out;
+  const Matrix3 P = Matrix3::Identity() - floor.normal * floor.normal.transpose();
+  const Vector3 slide = P * velocity;
+  const double slow = slide.norm() + LANDING_CREEP;
+  out.force = N * floor.normal - bed.friction * N / slow * slide;
+  out.stiffness = area * (w.stiffness * bed.normal_stiffness + w.damping * share * bed.damping) * floor.normal *
+                      floor.normal.transpose() +
+                  w.damping * bed.friction * N / slow * P;
+  return out;
 }
 
 // c_i |u| u_i and its derivative.
@@ -142,8 +176,8 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
   const Vector3& alpha = rotation.acceleration;
   const Vector3 centre = node.position - R * p;
   const Water water = sea.waterAt(centre, t);
-  const Lift lift = body.hull ? liftOfHull(*body.hull, sea, t, centre, R)
-                              : liftOfVolume(body, sea, water.surface, centre, R);
+  const Lift lift =
+      body.hull ? liftOfHull(*body.hull, sea, t, centre, R) : liftOfVolume(body, sea, water.surface, centre, R);
 
   // Everything in body axes: acceleration of the centre of mass, velocity and acceleration relative to the water.
   const Vector3 swing = alpha.cross(p) + w.cross(w.cross(p));
@@ -154,18 +188,18 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
   const Vector3 u = node_u - w.cross(p);
   const Vector3 Ma = lift.share * body.added_mass, Ja = lift.share * body.added_inertia;
   const Vector3 Mu = Ma.cwiseProduct(u);
-    Matrix3 g_u, m_w;
+  Matrix3 g_u, m_w;
   const Vector3 drag = quadraticDrag(0.5 * sea.density() * lift.share * body.drag_area, u, g_u);
 
   const Vector3 J = body.inertia + Ja;
   const Vector3 Jw = J.cwiseProduct(w);
-    const Vector3 spin_drag = quadraticDrag(lift.share * body.rotational_drag, w, m_w);
+  const Vector3 spin_drag = quadraticDrag(lift.share * body.rotational_drag, w, m_w);
 
-
-  // Force that the body needs, body axes: inertia, added inertia (Kirchhoff), drag, less thrust and the wave's push.
-  Vector3 g = body.mass * a + Ma.cwiseProduct(a - water_a - w.cross(u)) + w.cross(Mu) +
-              drag - thrust.force - sea.density() * lift.volume * water_a;
-    const double dry_share = body.hull ? 1.0 : 1.0 - lift.share;
+  // Force that the body needs, body axes: inertia, added inertia (Kirchhoff), drag, less thrust and the wave's
+  // push.
+  Vector3 g = body.mass * a + Ma.cwiseProduct(a - water_a - w.cross(u)) + w.cross(Mu) + drag - thrust.force -
+              sea.density() * lift.volume * water_a;
+  const double dry_share = body.hull ? 1.0 : 1.0 - lift.share;
   const Vector3 node_air = R.transpose() * (node.velocity - sea.wind());
   Matrix3 g_air = Matrix3::Zero();
   if (body.wind_area.squaredNorm() > 0.0)
@@ -173,8 +207,12 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
 
   const Vector3 steady(body.force.x(), body.force.y(), body.force.z() + lift.force - body.mass * sea.gravity());
 
+  Landing ground;
+  if (sea.hasSeabed() && !body.hull)
+    ground = landing(body, sea, centre, node.velocity - R * w.cross(p), wt);
+
   BodyResponse out;
-  out.force = R * g - steady;
+  out.force = R * g - steady - ground.force;
   const Vector3 force_b = R.transpose() * out.force;
   out.moment = J.cwiseProduct(alpha) + w.cross(Jw) + u.cross(Mu) + spin_drag - thrust.torque -
                R.transpose() * lift.moment - p.cross(force_b);
@@ -183,25 +221,27 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
   const Matrix3 W = crossMatrix(w), P = crossMatrix(p), U = crossMatrix(u);
   const Matrix3 M = (body.mass * Vector3::Ones() + Ma).asDiagonal();
   const Matrix3 Md = Ma.asDiagonal();
-    g_u += W * Md - Md * W;
+  g_u += W * Md - Md * W;
 
   const Matrix3 g_w = Md * U - crossMatrix(Mu);
   // a and u change with the rotation: alpha (mass), w (damping), angle (stiffness).
-  const Matrix3 a_r = wt.mass * P + wt.damping * (crossMatrix(w.cross(p)) + W * P) +
-                      wt.stiffness * crossMatrix(node_a);
+  const Matrix3 a_r =
+      wt.mass * P + wt.damping * (crossMatrix(w.cross(p)) + W * P) + wt.stiffness * crossMatrix(node_a);
   const Matrix3 u_r = wt.damping * P + wt.stiffness * crossMatrix(node_u);
-  const Matrix3 g_r = M * a_r - wt.stiffness * (Md + sea.density() * lift.volume * Matrix3::Identity()) *
-                                    crossMatrix(water_a) + g_u * u_r + wt.damping * g_w + g_air * (wt.damping * P + wt.stiffness * crossMatrix(node_air));
+  const Matrix3 g_r =
+      M * a_r - wt.stiffness * (Md + sea.density() * lift.volume * Matrix3::Identity()) * crossMatrix(water_a) +
+      g_u * u_r + wt.damping * g_w + g_air * (wt.damping * P + wt.stiffness * crossMatrix(node_air));
   const Matrix3 g_n = (wt.mass * M + wt.damping * (g_u + g_air)) * R.transpose();
   const Vector3 up = Vector3::UnitZ();
   const Matrix3 rise_r = R * P;  // d centre / d rotation in body axes
 
   out.force_n = R * g_n;
+  out.force_n += ground.stiffness;
   out.force_n(2, 2) += wt.stiffness * lift.stiffness;
-  out.force_r = R * (g_r - wt.stiffness * crossMatrix(g));
+  out.force_r = R * (g_r - wt.stiffness * crossMatrix(g)) + ground.stiffness * rise_r;
   out.force_r.row(2) += wt.stiffness * (lift.stiffness * rise_r.row(2) - lift.force_turn.transpose() * R);
   const Matrix3 moment_u = U * Md - crossMatrix(Mu);
-    m_w += W * Matrix3(J.asDiagonal()) - crossMatrix(Jw);
+  m_w += W * Matrix3(J.asDiagonal()) - crossMatrix(Jw);
 
   out.moment_n = wt.damping * moment_u * R.transpose() - P * R.transpose() * out.force_n -
                  wt.stiffness * (R.transpose() * lift.moment_rise) * up.transpose();

@@ -123,7 +123,8 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
     q.back().head<3>() = ends.vehicle;
   beginContact(model, trial_);
 
-  // A tether that is drawn over the floor slides on it. One at rest is held by it, else its slack would have no place.
+  // A tether that is drawn over the floor slides on it. One at rest is held by it, else its slack would have no
+  // place.
   const bool slides = ends.velocity.norm() > CREEP || !model.hasContact();
   trial_.contact.friction = slides ? FrictionMode::SLIDING : FrictionMode::GLUED;
   SolveReport total = relax(model, ends);

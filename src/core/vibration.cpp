@@ -28,8 +28,7 @@ Piece middleOf(const CableModel& model, const CableState& state, int i)
 // Speed of transverse waves; 0 where slack.
 double waveSpeed(const CableModel& model, const ElementParameters& e, const Piece& at)
 {
-  const double strain =
-      0.5 * (at.slope.squaredNorm() / (e.natural_stretch * e.natural_stretch) - 1.0);
+  const double strain = 0.5 * (at.slope.squaredNorm() / (e.natural_stretch * e.natural_stretch) - 1.0);
   const double added = at.place.z() < 0.0 ? model.sea().density() * e.area * e.added_mass : 0.0;
   return std::sqrt(std::max(e.axial.stiffness * strain, 0.0) / (e.mass + added));
 }
@@ -61,8 +60,7 @@ Strumming findStrumming(CableModel& model, const CableState& state, double facto
     const ElementParameters& e = model.element(i);
     const double shedding = sheddingFrequency(model, state, i);
     const double half_wave = 0.5 * waveSpeed(model, e, middleOf(model, state, i)) / std::max(shedding, 1e-9);
-    const bool strums =
-        shedding > LOCK_IN * found.string_frequency && half_wave > SHORTEST_HALF_WAVE * e.diameter;
+    const bool strums = shedding > LOCK_IN * found.string_frequency && half_wave > SHORTEST_HALF_WAVE * e.diameter;
     if (factor != 1.0)
       model.setDragFactor(i, strums ? factor : 1.0);
     if (!strums)

@@ -61,8 +61,8 @@ std::vector<std::string> problems(const WinchProperties& drum, double tether_dia
   check.require(drum.width >= tether_diameter && std::isfinite(drum.width), "width", drum.width,
                 ">= tether.diameter, in m");
   check.within("layers", drum.layers, 1, 1000, "[-]");
-  check.require(!(0.5 * (drum.core_diameter + tether_diameter) < min_bend_radius), "core_diameter", drum.core_diameter,
-                "enough for tether.min_bend_radius = " + formatNumber(min_bend_radius) + " m");
+  check.require(!(0.5 * (drum.core_diameter + tether_diameter) < min_bend_radius), "core_diameter",
+                drum.core_diameter, "enough for tether.min_bend_radius = " + formatNumber(min_bend_radius) + " m");
   std::vector<std::string> found = check.problems();
   if (!found.empty() || !(tether_diameter > 0.0))
     return found;

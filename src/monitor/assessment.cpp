@@ -8,8 +8,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double LARGEST_STRAIN = 0.1;  // [-]
-constexpr double LARGEST_TURN = 1.2;    // [rad] over one element
+constexpr double LARGEST_STRAIN = 0.1;       // [-]
+constexpr double LARGEST_TURN = 1.2;         // [rad] over one element
 constexpr double LARGEST_COMPRESSION = 0.5;  // loss of diameter [-]
 
 // Angle of a direction below the horizontal [rad].

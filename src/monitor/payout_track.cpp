@@ -8,7 +8,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double FADING = 2.5;       // rate of fading times the interval of the reports [-]
+constexpr double FADING = 2.5;        // rate of fading times the interval of the reports [-]
 constexpr double LONGEST_FADE = 1.0;  // [s]
 }  // namespace
 

@@ -11,10 +11,10 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double SETTLING_RETRY = 1.0;       // [s] between attempts to find a steady state
-constexpr double FASTEST_WINCH = 4.5;        // [m/s]; faster is no pay-out but a leap of the report
+constexpr double SETTLING_RETRY = 1.0;  // [s] between attempts to find a steady state
+constexpr double FASTEST_WINCH = 4.5;   // [m/s]; faster is no pay-out but a leap of the report
 constexpr int STRUMMING_PASSES = 4;
-constexpr double STRUMMING_PERIOD = 1.0;     // [s] of model time between looks at strumming
+constexpr double STRUMMING_PERIOD = 1.0;  // [s] of model time between looks at strumming
 
 const Config& checked(const Config& config)
 {
@@ -91,10 +91,10 @@ std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vect
       obstacle.position += (state_.time - t) * obstacle.velocity;
 
   const std::vector<core::Obstacle>& old = model_.environment().obstacles;
-  const bool same = now.size() == old.size() &&
-                    std::equal(now.begin(), now.end(), old.begin(),
-                               [](const core::Obstacle& a, const core::Obstacle& b)
-                               { return a.name == b.name && (a.mass > 0.0) == (b.mass > 0.0); });
+  const bool same =
+      now.size() == old.size() && std::equal(now.begin(), now.end(), old.begin(),
+                                             [](const core::Obstacle& a, const core::Obstacle& b)
+                                             { return a.name == b.name && (a.mass > 0.0) == (b.mass > 0.0); });
   model_.sea().setObstacles(now);
   if (same && settled_)
   {
@@ -354,7 +354,8 @@ void TetherEstimator::describeContact()
 {
   core::summariseContact(model_, state_, estimate_.contact);
   estimate_.seabed_contact_length = estimate_.contact.seabed_length;
-  estimate_.touchdown_s = estimate_.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : estimate_.contact.touchdown_s;
+  estimate_.touchdown_s =
+      estimate_.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : estimate_.contact.touchdown_s;
   for (core::ContactSummary::Touch& touch : estimate_.contact.obstacles)
     touch.place += origin_;
 }

@@ -38,7 +38,8 @@ Axis axisOf(const CsvTable& table, std::size_t column)
   const auto same = [span](double a, double b) { return std::abs(a - b) <= 1e-9 * span; };
   values.erase(std::unique(values.begin(), values.end(), same), values.end());
   if (values.size() < 2)
-    throw std::runtime_error(table.path + ": column " + table.columns[column] + " has fewer than two different values");
+    throw std::runtime_error(table.path + ": column " + table.columns[column] +
+                             " has fewer than two different values");
   return {values.front(), span / static_cast<double>(values.size() - 1), static_cast<Eigen::Index>(values.size())};
 }
 }  // namespace

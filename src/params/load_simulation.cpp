@@ -100,7 +100,7 @@ SimulationConfig loadSimulation(const Value& tree, const std::string& where)
   config.payout_stddev = in.number("payout_stddev", config.payout_stddev);
   config.publish_obstacles = in.flag("publish_obstacles", config.publish_obstacles);
   config.seed = static_cast<unsigned>(in.integer("seed", static_cast<int>(config.seed)));
-    config.clock = in.flag("clock", config.clock);
+  config.clock = in.flag("clock", config.clock);
   config.speed = in.number("speed", config.speed);
   in.finish();
   if (root.faults().empty())

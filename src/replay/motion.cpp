@@ -67,7 +67,8 @@ class Columns
 
 const std::vector<std::string> XYZ{"x", "y", "z"};
 
-BodyMotion readBody(const params::CsvTable& table, const std::string& name, const std::vector<double>& t, Columns& in)
+BodyMotion readBody(const params::CsvTable& table, const std::string& name, const std::vector<double>& t,
+                    Columns& in)
 {
   BodyMotion body;
   body.position = in.vector(name + "_");
@@ -117,7 +118,8 @@ Motion::Motion(const params::CsvTable& table, bool free_vehicle)
       payout_.position.emplace_back(length, 0.0, 0.0);
       if (!(length > 0.0))
         throw std::runtime_error(table.path + ", line " +
-                                 std::to_string(table.lines[payout_.position.size() - 1]) + ": payout must be > 0 m");
+                                 std::to_string(table.lines[payout_.position.size() - 1]) +
+                                 ": payout must be > 0 m");
     }
   if (hasPayout())
     payout_.velocity = splineVelocities(t_, payout_.position);

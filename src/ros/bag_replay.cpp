@@ -99,9 +99,9 @@ bool addNumber(const rosbag::MessageInstance& instance, const std::string& topic
   if (!message)
     return false;
   const ros::Time recorded = instance.getTime();
-  recording.inputs[OTHER_STREAM].push_back(
-      {recorded, recorded, false, topic,
-       [message, take, recorded](MeasurementIntake& intake) { return (intake.*take)(*message, recorded); }});
+  recording.inputs[OTHER_STREAM].push_back({recorded, recorded, false, topic,
+                                            [message, take, recorded](MeasurementIntake& intake)
+                                            { return (intake.*take)(*message, recorded); }});
   return true;
 }
 

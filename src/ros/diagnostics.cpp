@@ -77,8 +77,8 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
   }
   for (std::size_t k = 0; k < e.contact.obstacles.size(); ++k)
     if (e.contact.obstacles[k].total > 0.0)
-      status.addf("Touches obstacle '" + estimator.model().environment().obstacles[k].name + "'", "%.3g N at s = %.1f m",
-                  e.contact.obstacles[k].force.norm(), e.contact.obstacles[k].s);
+      status.addf("Touches obstacle '" + estimator.model().environment().obstacles[k].name + "'",
+                  "%.3g N at s = %.1f m", e.contact.obstacles[k].force.norm(), e.contact.obstacles[k].s);
   if (e.seabed_contact_length > 0.0)
     status.add("On the seabed [m]", e.seabed_contact_length);
   status.add("Elements", estimator.model().elements());
@@ -106,8 +106,9 @@ void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_update
   {
     status.summaryf(Level::WARN, "transverse vibration: %.0f m of tether may strum at %.2g to %.2g Hz",
                     strumming.length, strumming.lowest_frequency, strumming.highest_frequency);
-    status.add("Advice on strumming", "Vortices shake the tether across the flow; drag rises (tether.drag_amplification) "
-                                      "and it wears. Fairings, or another speed, help.");
+    status.add("Advice on strumming",
+               "Vortices shake the tether across the flow; drag rises (tether.drag_amplification) "
+               "and it wears. Fairings, or another speed, help.");
   }
   if (report.resonant)
   {

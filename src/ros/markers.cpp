@@ -57,8 +57,8 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator
   {
     m.points.push_back(pointMessage(e.stations.position[i]));
     const int element = std::min(static_cast<int>(i / 2), estimator.model().elements() - 1);
-    m.colors.push_back(utilisationColour(
-        e.stations.tension[i] / estimator.model().propertiesOf(element).working_load, warning));
+    m.colors.push_back(
+        utilisationColour(e.stations.tension[i] / estimator.model().propertiesOf(element).working_load, warning));
   }
   return m;
 }
@@ -121,8 +121,9 @@ Marker obstacleBody(const std_msgs::Header& header, int k, const monitor::Tether
   const core::Obstacle& obstacle = estimator.model().environment().obstacles[k];
   const bool is_stepped = estimator.estimate().has_stations;
   Marker m = blank(header, "obstacle", k, Marker::CUBE);
-  m.pose.position = pointMessage(is_stepped ? core::Vector3(estimator.state().obstacles[k].position + estimator.origin())
-                                            : obstacle.position);
+  m.pose.position =
+      pointMessage(is_stepped ? core::Vector3(estimator.state().obstacles[k].position + estimator.origin())
+                              : obstacle.position);
   m.pose.orientation = quaternionMessage(obstacle.orientation);
   core::Vector3 size = obstacle.size;
   if (obstacle.shape == core::ObstacleShape::SPHERE)

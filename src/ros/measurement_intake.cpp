@@ -155,9 +155,9 @@ std::string MeasurementIntake::takeTurns(const std_msgs::Float64& message, const
     return refused("turns of a winch that is not in the parameters (winch)", now);
   const core::WinchDrum drum(*config.winch, config.tether.diameter);
   if (!(message.data > 0.0 && message.data <= drum.turns()))
-    return refused("turns = " + std::to_string(message.data) + " (must be > 0 and <= " + std::to_string(drum.turns()) +
-                       ")",
-                   now);
+    return refused(
+        "turns = " + std::to_string(message.data) + " (must be > 0 and <= " + std::to_string(drum.turns()) + ")",
+        now);
   return refused(takeLength(time_.seconds(now), drum.paidOut(message.data), monitor::TetherEstimate::NONE), now);
 }
 

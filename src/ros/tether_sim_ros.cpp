@@ -78,14 +78,15 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
   markers_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", QUEUE);
   frame_prefix_ = nh_.getNamespace() == "/" ? "" : nh_.getNamespace().substr(1) + "/";
 
-  period_ = std::min({simulation::Simulator::STEP, 1.0 / plan_.vessel_sensor.rate, 1.0 / plan_.vehicle_sensor.rate});
+  period_ =
+      std::min({simulation::Simulator::STEP, 1.0 / plan_.vessel_sensor.rate, 1.0 / plan_.vehicle_sensor.rate});
   if (plan_.clock)
   {
     clock_ = nh_.advertise<rosgraph_msgs::Clock>("/clock", QUEUE);
     start_ = ros::Time(1.0);
     started_ = true;
-    wall_timer_ =
-        nh_.createWallTimer(ros::WallDuration(period_ / plan_.speed), [this](const ros::WallTimerEvent&) { tick(); });
+    wall_timer_ = nh_.createWallTimer(ros::WallDuration(period_ / plan_.speed),
+                                      [this](const ros::WallTimerEvent&) { tick(); });
   }
   else
   {

@@ -7,11 +7,11 @@ namespace tether_monitor::simulation
 {
 namespace
 {
-constexpr double SPEED_TIME = 8.0;      // [s] in which a wrong speed is put right
-constexpr double HEADING_TIME = 6.0;    // [s] likewise the heading
-constexpr double FASTEST_TURN = 0.06;   // [rad/s]
+constexpr double SPEED_TIME = 8.0;          // [s] in which a wrong speed is put right
+constexpr double HEADING_TIME = 6.0;        // [s] likewise the heading
+constexpr double FASTEST_TURN = 0.06;       // [rad/s]
 constexpr double STATION_BANDWIDTH = 0.15;  // [rad/s] of dynamic positioning
-constexpr double PILOT_BANDWIDTH = 0.8;  // [rad/s] of a vehicle's position control
+constexpr double PILOT_BANDWIDTH = 0.8;     // [rad/s] of a vehicle's position control
 
 double yawOf(const Eigen::Quaterniond& q)
 {
@@ -57,12 +57,13 @@ core::Wrench Helmsman::steer(const monitor::BodyState& vessel, double dt)
   const double error = speed - now;
   pull_ += mass / (SPEED_TIME * 3.0 * SPEED_TIME) * error * dt;
   core::Wrench thrust;
-  thrust.force.x() = mass / SPEED_TIME * error + 0.5 * water_density_ * ship_.drag_area.x() * std::abs(now) * now + pull_;
+  thrust.force.x() =
+      mass / SPEED_TIME * error + 0.5 * water_density_ * ship_.drag_area.x() * std::abs(now) * now + pull_;
 
   const double inertia = ship_.inertia.z() + ship_.added_inertia.z();
   const double rate = std::clamp(wrapped(heading - yaw) / HEADING_TIME, -FASTEST_TURN, FASTEST_TURN);
   thrust.torque.z() = inertia / (0.3 * HEADING_TIME) * (rate - vessel.angular_velocity.z());
-    if (plan_.waypoints.empty() && plan_.speed == 0.0)
+  if (plan_.waypoints.empty() && plan_.speed == 0.0)
   {
     // Nowhere to go: dynamic positioning at the start.
     core::Vector3 off = plan_.start - vessel.position;

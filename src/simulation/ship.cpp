@@ -17,7 +17,8 @@ std::vector<std::string> problems(const ShipProperties& ship)
   check.positive("draft", ship.draft, "m");
   check.require(ship.height > ship.draft, "height", ship.height, "> draft, in m");
   const double metacentre = 0.5 * ship.draft + ship.beam * ship.beam / (12.0 * ship.draft);
-  check.require(!(metacentre < 1.02 * CENTRE_HEIGHT * ship.draft), "beam", ship.beam, "wide enough not to capsize");
+  check.require(!(metacentre < 1.02 * CENTRE_HEIGHT * ship.draft), "beam", ship.beam,
+                "wide enough not to capsize");
   return check.problems();
 }
 
@@ -36,8 +37,8 @@ core::RigidBody shipLike(const ShipProperties& ship, double water_density)
   body.added_inertia = body.inertia.cwiseProduct(core::Vector3(0.2, 0.8, 0.5));
   body.drag_area = core::Vector3(0.3 * B * T, 1.0 * L * T, 1.5 * L * B);
   const double half = 0.5 * water_density;
-  body.rotational_drag =
-      half * core::Vector3(0.5 * L * B * B * B * B / 16.0, 0.5 * B * L * L * L * L / 32.0, 0.5 * T * L * L * L * L / 32.0);
+  body.rotational_drag = half * core::Vector3(0.5 * L * B * B * B * B / 16.0, 0.5 * B * L * L * L * L / 32.0,
+                                              0.5 * T * L * L * L * L / 32.0);
   const double freeboard = ship.height - T;
   body.wind_area = core::Vector3(1.0 * B * freeboard * 1.5, 1.0 * L * freeboard, 0.0);
   body.hull = core::Hull{{L, B, ship.height}, {0.0, 0.0, -CENTRE_HEIGHT * T}};

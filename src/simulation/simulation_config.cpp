@@ -66,8 +66,8 @@ std::vector<std::string> problems(const SimulationConfig& c)
     check.require(std::isfinite(c.winch[i].time) && (i == 0 || c.winch[i].time > c.winch[i - 1].time),
                   (name + "time").c_str(), c.winch[i].time, "later than that of the order before, in s");
     check.positive((name + "length").c_str(), c.winch[i].length, "m");
-    check.require(c.winch[i].rate > 0.0 && c.winch[i].rate <= FASTEST_WINCH, (name + "rate").c_str(), c.winch[i].rate,
-                  "> 0 and <= 3 m/s");
+    check.require(c.winch[i].rate > 0.0 && c.winch[i].rate <= FASTEST_WINCH, (name + "rate").c_str(),
+                  c.winch[i].rate, "> 0 and <= 3 m/s");
   }
   all.insert(all.end(), check.problems().begin(), check.problems().end());
   return all;

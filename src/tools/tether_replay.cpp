@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <iostream>
 
+#include "tether_monitor/params/csv_table.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/yaml_file.h"
-#include "tether_monitor/params/csv_table.h"
 #include "tether_monitor/replay/replay_run.h"
 #include "tether_monitor/ros/bag_replay.h"
 

@@ -47,13 +47,14 @@ void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& ar
               << " m on\n";
   const tether_monitor::core::Strumming& strumming = steady.strumming;
   if (strumming.length > 0.0)
-    std::cout << "vortices may shake " << strumming.length << " m of it at " << strumming.lowest_frequency << " to "
-              << strumming.highest_frequency << " Hz; its first transverse frequency is some "
+    std::cout << "vortices may shake " << strumming.length << " m of it at " << strumming.lowest_frequency
+              << " to " << strumming.highest_frequency << " Hz; its first transverse frequency is some "
               << strumming.string_frequency << " Hz\n";
   if (arguments.modes > static_cast<int>(steady.modes.size()))
     std::cout << "only " << steady.modes.size() << " of " << arguments.modes << " modes exist or were found\n";
-  std::cout << "wrote ends.csv" << (arguments.modes > 0 ? ", shape.csv, modes.csv and mode_shapes.csv" : " and shape.csv")
-            << " to " << arguments.out << "\n";
+  std::cout << "wrote ends.csv"
+            << (arguments.modes > 0 ? ", shape.csv, modes.csv and mode_shapes.csv" : " and shape.csv") << " to "
+            << arguments.out << "\n";
 }
 
 int findSteadyState(const Arguments& arguments)

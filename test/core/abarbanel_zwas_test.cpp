@@ -28,15 +28,15 @@ Environment space()
   return sea;
 }
 
-// Largest axial velocity within `steps` of the scheme after a small random disturbance of a stretched bar. (Once it is
-// slack a bar grows no further.)
+// Largest axial velocity within `steps` of the scheme after a small random disturbance of a stretched bar. (Once
+// it is slack a bar grows no further.)
 double grown(bool free_end, double courant, int corrections, int steps)
 {
   CableModel model(bar(), 10, space());
   RigidBody light;
   light.mass = 1e-6;
   light.inertia = Vector3::Ones();
-    const double stretch = 1.001;
+  const double stretch = 1.001;
   light.force.x() = 1.0e6 * 0.5 * (stretch * stretch - 1.0) * stretch;
   if (free_end)
     model.setBodies({std::nullopt, light});
@@ -51,7 +51,7 @@ double grown(bool free_end, double courant, int corrections, int steps)
   ends.vehicle = EndPath::uniform(0.0, {shape[10].head<3>(), Vector3::Zero()});
   const double c = std::sqrt(1.0e6 * 0.5 * (3.0 * stretch * stretch - 1.0));  // dN/d|r'| of Green-Lagrange
   const double h = courant * 4.0 / c;
-    double largest = 0.0;
+  double largest = 0.0;
   for (int k = 0; k < steps; ++k)
   {
     if (scheme.step(model, ends, h, state).status != SolveStatus::CONVERGED)
@@ -72,7 +72,7 @@ TEST_P(StabilityConstant, IsSharp)
 {
   const auto [free_end, corrections] = GetParam();
   const double limit = free_end ? AbarbanelZwas::FREE_LIMIT : AbarbanelZwas::HELD_LIMIT;
-    EXPECT_LT(grown(free_end, limit, corrections, 5000), 1e-4);
+  EXPECT_LT(grown(free_end, limit, corrections, 5000), 1e-4);
   EXPECT_GT(grown(free_end, 1.06 * limit, corrections, 5000), 0.05);
 }
 

@@ -62,7 +62,8 @@ TEST_P(Shapes, NormalIsTheGradientOfTheDistanceAndItsCurvatureTheSecondDerivativ
   Obstacle obstacle;
   obstacle.shape = static_cast<ObstacleShape>(GetParam() % 3);
   obstacle.size = {1.0, 3.0, 2.0};
-  obstacle.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(0, 3), random.vector(1.0).normalized()));
+  obstacle.orientation =
+      Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(0, 3), random.vector(1.0).normalized()));
   const Vector3 at = random.vector(2.5);
   const Separation here = separation(obstacle, at);
   const double h = 1e-6;
@@ -213,11 +214,11 @@ TEST(Seabed, FallingOnTheFloorGainsNoEnergy)
   sea.seabed->depth = 1.0;
   sea.seabed->damping = 0.0;
   CableProperties p = rope(20.0);
-    p.axial_damping = 1.0e-4;
+  p.axial_damping = 1.0e-4;
   CableModel model(p, 20, sea);
   NodeField shape(21);
   for (int i = 0; i <= 20; ++i)
-        shape[i] << i * std::cos(0.03), 0.0, i * std::sin(0.03), std::cos(0.03), 0.0, std::sin(0.03);
+    shape[i] << i * std::cos(0.03), 0.0, i * std::sin(0.03), std::cos(0.03), 0.0, std::sin(0.03);
   CableState state(0.0, shape, Vector3(0.5, 1.0, 0.0));
   RigidBody light;
   light.mass = 0.1;
@@ -228,8 +229,10 @@ TEST(Seabed, FallingOnTheFloorGainsNoEnergy)
   ASSERT_TRUE(starter.initialiseAcceleration(model, EndPaths(), state).converged());
   Stepper stepper(model, StepperOptions());
   const auto energy = [&]
-  { return wholeEnergy(model, state) + 9.81 * 0.1 * (state.q.front().z() + state.q.back().z()) +
-           0.05 * (state.v.front().head<3>().squaredNorm() + state.v.back().head<3>().squaredNorm()); };
+  {
+    return wholeEnergy(model, state) + 9.81 * 0.1 * (state.q.front().z() + state.q.back().z()) +
+           0.05 * (state.v.front().head<3>().squaredNorm() + state.v.back().head<3>().squaredNorm());
+  };
   double before = energy();
   const double start = kinetic(model, state), fall = 0.8 * 20.0 * 9.81;
   for (int k = 1; k <= 100; ++k)
@@ -285,7 +288,8 @@ TEST(Capstan, TensionRatioIsTheExponentialOfTheAngle)
   const EndPaths rest{EndPath::uniform(0.0, {held, Vector3::Zero()}), {}};
   ASSERT_TRUE(stepper.advance(model, rest, 5.0, state).converged());
   // Draw the held end down: the weight rises, the rope slides over the drum.
-  const EndPaths draw{EndPath::between(5.0, {held, Vector3::Zero()}, 7.0, {held - Vector3(0, 0, 0.1), Vector3(0, 0, -0.1)}), {}};
+  const EndPaths draw{
+      EndPath::between(5.0, {held, Vector3::Zero()}, 7.0, {held - Vector3(0, 0, 0.1), Vector3(0, 0, -0.1)}), {}};
   ASSERT_TRUE(stepper.advance(model, draw, 7.0, state).converged());
   const EndPaths on{EndPath::uniform(7.0, {held - Vector3(0, 0, 0.1), Vector3(0, 0, -0.1)}), {}};
   double ratio = 0.0, mean = 0.0;

@@ -77,8 +77,7 @@ TEST(Modes, HeaveResonanceOfAHangingBody)
   CableModel model(p, 30, sea);
   model.setBodies({std::nullopt, body});
   const Steady hanging = steady(model, SteadyEnds{Vector3(0, 0, -1), {}, Vector3::Zero()});
-  const std::vector<double> axial =
-      frequencies(naturalModes(hanging.model, hanging.state, 60), ModeKind::AXIAL);
+  const std::vector<double> axial = frequencies(naturalModes(hanging.model, hanging.state, 60), ModeKind::AXIAL);
   ASSERT_FALSE(axial.empty());
   const double k = 5.0e6 / 200.0;
   const double expected = std::sqrt(k / (2300.0 + 1.43 * 200.0 / 3.0)) / (2.0 * M_PI);

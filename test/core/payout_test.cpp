@@ -110,7 +110,8 @@ TEST_P(PayoutUnderTow, EndsInTheSteadyStateOfTheNewLength)
   double before = endForces(model, state).vessel.norm(), largest_jump = 0.0;
   const auto go = [&](double duration, double by, double rate_0, double rate_1)
   {
-    const PayoutPath path = PayoutPath::between(t, {length, rate_0, 0.0}, t + duration, {length + by, rate_1, 0.0});
+    const PayoutPath path =
+        PayoutPath::between(t, {length, rate_0, 0.0}, t + duration, {length + by, rate_1, 0.0});
     const EndPaths ends = heldAt(Vector3::Zero(), velocity, path);
     const int parts = static_cast<int>(std::round(duration / 0.1));
     for (int k = 1; k <= parts; ++k)

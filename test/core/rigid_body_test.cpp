@@ -92,11 +92,14 @@ TEST_P(BodyTangent, IsTheDerivative)
     body.hull = Hull{{6.0, 2.0, 1.5}, {0.1, 0.0, -0.6}};
   Environment sea;
   sea.wind = {5.0, 3.0, 0.0};
-  // At the surface also the wet share changes: its part of drag and added mass is left out, so it moves little there.
+  // At the surface also the wet share changes: its part of drag and added mass is left out, so it moves little
+  // there.
   const double motion = floats ? 0.02 : 1.0;
-  const AttachmentMotion at{Vector3(1, 2, floats ? 0.1 : -20.0), motion * random.vector(2.0), motion * random.vector(1.0)};
+  const AttachmentMotion at{Vector3(1, 2, floats ? 0.1 : -20.0), motion * random.vector(2.0),
+                            motion * random.vector(1.0)};
   Rotation turned;
-  turned.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.vector(1.0).normalized()));
+  turned.orientation =
+      Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.vector(1.0).normalized()));
   turned.velocity = motion * random.vector(0.5);
   turned.acceleration = motion * random.vector(0.4);
   const Wrench thrust{random.vector(30.0), random.vector(5.0)};
@@ -147,8 +150,10 @@ TEST(FreeBody, TorqueFreeRotationKeepsMomentumAndEnergy)
   sim.state = placed(sim.model, Vector3(0, 0, 0));
   sim.state.vehicle.velocity = {0.4, 2.0, 0.3};  // about the middle axis: it tumbles
   sim.state.v[1].head<3>() = sim.state.vehicle.velocity.cross(body.attachment);  // centre of mass at rest
-  const auto momentum = [&] { return Vector3(sim.rotation().orientation * body.inertia.cwiseProduct(sim.rotation().velocity)); };
-  const auto energy = [&] { return 0.5 * sim.rotation().velocity.dot(body.inertia.cwiseProduct(sim.rotation().velocity)); };
+  const auto momentum = [&]
+  { return Vector3(sim.rotation().orientation * body.inertia.cwiseProduct(sim.rotation().velocity)); };
+  const auto energy = [&]
+  { return 0.5 * sim.rotation().velocity.dot(body.inertia.cwiseProduct(sim.rotation().velocity)); };
   const Vector3 L = momentum();
   const double E = energy();
   const Vector3 centre = centreOfMass(body, sim.state.q[1].head<3>(), sim.rotation());
@@ -224,6 +229,26 @@ TEST(FreeBody, TurnsAtTheRateWhereDragEqualsTorque)
   EXPECT_NEAR(sim.rotation().velocity.z(), std::sqrt(10.0 / 40.0), 1e-4);
 }
 
+TEST(FreeBody, LandsOnTheSeabedAndStays)
+{
+  RigidBody body = torpedo();
+  body.wind_area.setZero();
+  body.mass = 200.0;
+  body.force = body.attachment = Vector3::Zero();
+  body.center_of_buoyancy = {0.0, 0.0, 0.1};
+  Environment sea;
+  sea.seabed = Seabed();
+  sea.seabed->depth = 60.0;
+  sea.current = CurrentProfile(Vector3(0.3, 0.0, 0.0));
+  Simulated sim{alone(body, sea), {}, {}};
+  sim.state = placed(sim.model, Vector3(0, 0, -57));
+  ASSERT_TRUE(sim.run(30.0, 0.05));
+  const Vector3 landed = sim.state.q[1].head<3>();
+  EXPECT_NEAR(landed.z(), -60.0 + 0.5 * std::cbrt(0.11), 0.02);
+  ASSERT_TRUE(sim.run(60.0, 0.05));
+  EXPECT_LT((sim.state.q[1].head<3>() - landed).norm(), 0.05) << "friction holds it in the current";
+}
+
 TEST(FreeBody, AHullFloatsAtItsDraftAndFollowsLongWaves)
 {
   RigidBody ship;
@@ -247,7 +272,8 @@ TEST(FreeBody, AHullFloatsAtItsDraftAndFollowsLongWaves)
   {
     ASSERT_TRUE(waves.run(0.1, 0.1));
     const Vector3 at = waves.state.q[1].head<3>();
-    worst = std::max(worst, std::abs(at.z() - waves.model.sea().wave().elevation(at.x(), at.y(), waves.state.time)));
+    worst =
+        std::max(worst, std::abs(at.z() - waves.model.sea().wave().elevation(at.x(), at.y(), waves.state.time)));
     pitch = std::max(pitch, std::abs(2.0 * waves.rotation().orientation.y()));
   }
   EXPECT_LT(worst, 0.12) << "a wave twenty times the hull lifts it like a float";

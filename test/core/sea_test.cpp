@@ -29,10 +29,11 @@ TEST(AiryWave, SurfaceMovesWithTheWaterAndNothingCrossesTheFloor)
       EXPECT_NEAR(wave.at(Vector3(3.0, 4.0, eta), t).velocity.z(), rising, 1e-6) << "linear kinematic condition";
       const WaveMotion now = wave.at(Vector3(3.0, 4.0, -5.0), t);
       const Vector3 change =
-          (wave.at(Vector3(3.0, 4.0, -5.0), t + h).velocity - wave.at(Vector3(3.0, 4.0, -5.0), t - h).velocity) / (2.0 * h);
+          (wave.at(Vector3(3.0, 4.0, -5.0), t + h).velocity - wave.at(Vector3(3.0, 4.0, -5.0), t - h).velocity) /
+          (2.0 * h);
       // The stretching moves with the surface: its own rate, of the order a k, is not part of the linear wave.
       EXPECT_TRUE(matricesNear(now.acceleration, change, 0.06 * 0.4 * wave.frequency() * wave.frequency()));
-            if (std::isfinite(depth))
+      if (std::isfinite(depth))
       {
         EXPECT_NEAR(wave.at(Vector3(3.0, 4.0, -depth), t).velocity.z(), 0.0, 1e-12);
       }

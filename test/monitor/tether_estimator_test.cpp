@@ -184,12 +184,16 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"monitor.rate", [](Config& c) { c.rate = 0.0; }},
         Fault{"monitor.pose_timeout", [](Config& c) { c.pose_timeout = -1.0; }},
         Fault{"monitor.invalid_timeout", [](Config& c) { c.invalid_timeout = 0.5; }},
-        Fault{"winch.core_diameter", [](Config& c)
+        Fault{"winch.core_diameter",
+              [](Config& c)
               {
                 c.winch = core::WinchProperties{0.2, 0.6, 20};
                 c.tether.min_bend_radius = 0.4;
               }},
-        Fault{"tether.length", [](Config& c) { c.winch = core::WinchProperties{0.2, 0.05, 3}; }},
+        Fault{"tether.length",
+              [](Config& c) {
+                c.winch = core::WinchProperties{0.2, 0.05, 3};
+              }},
         Fault{"tether.drag_amplification", [](Config& c) { c.drag_amplification = 0.5; }},
         Fault{"solver.courant", [](Config& c) { c.solver.courant = 0.0; }},
         Fault{"solver.corrections", [](Config& c) { c.solver.corrections = -1; }},

@@ -1,5 +1,6 @@
-#include "tether_monitor/params/depth_grid.h"
 #include "tether_monitor/params/load_config.h"
+#include "tether_monitor/params/depth_grid.h"
+#include "tether_monitor/params/load_simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -100,9 +101,14 @@ TEST(LoadConfig, ReadsTheWholeSea)
                                             {"orientation", Value::List{0.0, 0.70710678, 0.0, 0.70710678}}}},
                         {"size", Value::List{0.5, 20.0}},
                         {"friction", 0.2}};
-  const Value::Map ball{{"shape", 0L}, {"pose", Value::Map{{"position", Value::List{0.0, 0.0, -10.0}}}},
-                        {"size", Value::List{0.7}}, {"mass", 30.0}, {"stiffness", 1e6}};
-  const Value::Map sea{{"waves", waves}, {"seabed", seabed}, {"wind", Value::List{3.0, 0.0, 0.0}},
+  const Value::Map ball{{"shape", 0L},
+                        {"pose", Value::Map{{"position", Value::List{0.0, 0.0, -10.0}}}},
+                        {"size", Value::List{0.7}},
+                        {"mass", 30.0},
+                        {"stiffness", 1e6}};
+  const Value::Map sea{{"waves", waves},
+                       {"seabed", seabed},
+                       {"wind", Value::List{3.0, 0.0, 0.0}},
                        {"obstacles", Value::List{Value(pipe), Value(ball)}}};
   const monitor::Config c = loadConfig(tree(tetherKeys(), {{"environment", Value(sea)}}), "/test");
   EXPECT_EQ(c.environment.waves.amplitude, 1.5);
@@ -146,8 +152,7 @@ TEST(LoadConfig, ReadsWinchSolverAndAgeingTether)
   keys["drag_amplification"] = 1.5;
   const Value::Map winch{{"core_diameter", 0.9}, {"width", 0.6}, {"layers", 12L}};
   const Value::Map solver{{"integrator", std::string("abarbanel_zwas")}, {"corrections", 1L}, {"courant", 0.8}};
-  const monitor::Config c =
-      loadConfig(tree(keys, {{"winch", Value(winch)}, {"solver", Value(solver)}}), "/test");
+  const monitor::Config c = loadConfig(tree(keys, {{"winch", Value(winch)}, {"solver", Value(solver)}}), "/test");
   EXPECT_EQ(c.tether.hydrostatic_compression, 1e-5);
   EXPECT_EQ(c.tether.permanent_elongation, 0.01);
   EXPECT_EQ(c.drag_amplification, 1.5);
@@ -244,12 +249,42 @@ TEST(LoadConfig, ACurrentOutOfOrderIsNamed)
 TEST(LoadConfig, EveryShippedConfigurationLoads)
 {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(PROJECT_DIR) + "/config"))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(PROJECT_DIR) + "/config"))
   {
+    if (entry.path().extension() != ".yaml")
+      continue;
     ++files;
-    EXPECT_NO_THROW(loadConfig(readYamlFile(entry.path()), entry.path())) << entry.path();
+    const Value whole = readYamlFile(entry.path());
+    EXPECT_NO_THROW(loadConfig(whole, entry.path())) << entry.path();
+    if (whole.get<Value::Map>()->count("simulation") > 0)
+    {
+      EXPECT_NO_THROW(loadSimulation(whole, entry.path())) << entry.path();
+    }
   }
-  EXPECT_GT(files, 0);
+  EXPECT_GE(files, 6);
+}
+
+TEST(LoadSimulation, FaultsNameTheKey)
+{
+  const Value::Map vessel{{"lenght", 30.0}, {"waypoints", Value::List{Value(Value::Map{{"speed", 1.0}})}}};
+  const Value::Map vehicle{{"mass", 10.0},
+                           {"volume", 0.01},
+                           {"inertia", Value::List{1.0, 1.0, 1.0}},
+                           {"drag_area", Value::List{1.0, 1.0, 1.0}},
+                           {"control", std::string("dance")}};
+  const Value::Map all{{"simulation", Value(Value::Map{{"vessel", vessel}, {"vehicle", vehicle}})}};
+  try
+  {
+    loadSimulation(Value(all), "/test");
+    FAIL() << "it was accepted";
+  }
+  catch (const ParamError& error)
+  {
+    for (const char* text :
+         {"simulation.vessel.lenght is not a known parameter",
+          "simulation.vessel.waypoints[0].position is missing", "simulation.vehicle.control = 'dance'"})
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << text << "\n" << error.what();
+  }
 }
 
 class YamlFile : public ::testing::Test

@@ -11,11 +11,11 @@
 namespace tether_monitor::core
 {
 /**
- * The paper's scheme: three layers in time, a predictor with the nodes' own blocks of the mass matrix and corrections
- * that bring in the neighbours and the forces of the new layer.
+ * The paper's scheme: three layers in time, a predictor with the nodes' own blocks of the mass matrix and
+ * corrections that bring in the neighbours and the forces of the new layer.
  *
- * Model: (44)-(47) of Blintsov & Trunin (2020) after Abarbanel & Zwas, (M25) of doc/model.md. Explicit: a step must
- * stay below stableStep(). Axial waves make that some 0.1 ms for a steel tether.
+ * Model: (44)-(47) of Blintsov & Trunin (2020) after Abarbanel & Zwas, (M25) of doc/model.md. Explicit: a step
+ * must stay below stableStep(). Axial waves make that some 0.1 ms for a steel tether.
  */
 class AbarbanelZwas
 {
@@ -27,8 +27,8 @@ class AbarbanelZwas
 
   /**
    * @param model        that will be stepped, or one like it. All memory is taken here.
-   * @param corrections  >= 0. One is the paper's and leaves natural frequencies 6 % too low; 8 solve the consistent
-   *                     mass to 1e-4.
+   * @param corrections  >= 0. One is the paper's and leaves natural frequencies 6 % too low; 8 solve the
+   * consistent mass to 1e-4.
    * @throws std::invalid_argument naming the argument.
    */
   AbarbanelZwas(const CableModel& model, int corrections);

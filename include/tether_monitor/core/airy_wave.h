@@ -23,9 +23,9 @@ std::vector<std::string> problems(const WaveProperties& waves);
 /// Surface, velocity and acceleration of the water in a wave.
 struct WaveMotion
 {
-  double elevation = 0.0;                    ///< of the surface above still water [m].
-  Vector3 velocity = Vector3::Zero();        ///< [m/s]
-  Vector3 acceleration = Vector3::Zero();    ///< local, d u/dt at the point [m/s^2].
+  double elevation = 0.0;                  ///< of the surface above still water [m].
+  Vector3 velocity = Vector3::Zero();      ///< [m/s]
+  Vector3 acceleration = Vector3::Zero();  ///< local, d u/dt at the point [m/s^2].
 };
 
 /**
@@ -49,7 +49,7 @@ class AiryWave
   AiryWave(const WaveProperties& waves, double gravity, double depth = DEEP);
 
   bool isCalm() const { return amplitude_ == 0.0; }
-  double frequency() const { return frequency_; }  ///< w [rad/s], in a fixed frame.
+  double frequency() const { return frequency_; }   ///< w [rad/s], in a fixed frame.
   const Vector3& wavenumber() const { return k_; }  ///< k [rad/m], horizontal.
   /// Frequency at which a body that moves with velocity V [m/s] meets the waves [rad/s], >= 0.
   double encounterFrequency(const Vector3& V) const;

@@ -44,8 +44,8 @@ std::vector<std::string> problems(const CableFittings& fittings, double length);
  */
 std::vector<double> meshNodes(double length, int elements, const CableFittings& fittings);
 
-/// First section boundary or attachment from the vessel end, else the length [m]: up to there the mesh can grow when
-/// the tether is paid out.
+/// First section boundary or attachment from the vessel end, else the length [m]: up to there the mesh can grow
+/// when the tether is paid out.
 double firstFixedPoint(double length, const CableFittings& fittings);
 
 }  // namespace tether_monitor::core

@@ -20,11 +20,12 @@ EndForces endForces(const CableModel& model, const CableState& state);
 /// Stations: every node and the middle of every element, 2 N + 1 in all.
 struct StationField
 {
-  std::vector<double> s;            ///< unstretched arc length [m].
-  std::vector<Vector3> position;    ///< [m].
-  std::vector<double> tension;      ///< physical effective tension [N], > 0 in pull, (M14).
-  std::vector<double> strain;       ///< engineering strain over the natural length, |r'| / lambda_0 - 1, mean of an element at its middle [-].
-  std::vector<double> stress;       ///< tension over the load-bearing section, the larger at a boundary [Pa].
+  std::vector<double> s;          ///< unstretched arc length [m].
+  std::vector<Vector3> position;  ///< [m].
+  std::vector<double> tension;    ///< physical effective tension [N], > 0 in pull, (M14).
+  std::vector<double> strain;     ///< engineering strain over the natural length, |r'| / lambda_0 - 1, mean of an
+                                  ///< element at its middle [-].
+  std::vector<double> stress;     ///< tension over the load-bearing section, the larger at a boundary [Pa].
   std::vector<double> bend_radius;  ///< [m]; infinity where straight, (M18).
   EndForces ends;
   Vector3 vessel_direction = Vector3::Zero();   ///< unit tangent at the vessel end, towards the vehicle end.

@@ -76,11 +76,11 @@ class CableModel
   /// Multiplies the normal drag of element `i` by a factor >= 1: strumming. Default 1.
   void setDragFactor(int i, double factor);
 
-  /// True if the tether can be deployed to `length` [m] with the mesh there is: what is fixed to it, and one twentieth
-  /// of an element's length for each element, must stay outside.
+  /// True if the tether can be deployed to `length` [m] with the mesh there is: what is fixed to it, and one
+  /// twentieth of an element's length for each element, must stay outside.
   bool canPayTo(double length) const;
-  /// Deployed length and its rates: the elements between the vessel end and the first section boundary or attachment
-  /// grow and the tether runs through them, (M24). canPayTo(length) must hold; allocates nothing.
+  /// Deployed length and its rates: the elements between the vessel end and the first section boundary or
+  /// attachment grow and the tether runs through them, (M24). canPayTo(length) must hold; allocates nothing.
   void setPayout(const PayoutMotion& payout);
 
   /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Size nodes().

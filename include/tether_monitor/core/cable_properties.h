@@ -18,18 +18,18 @@ struct CableProperties
   double diameter = 0.0;         ///< d [m], > 0.
   double mass_per_length = 0.0;  ///< m [kg/m], dry, in air, > 0.
   double axial_stiffness = 0.0;  ///< EA [N] per Green-Lagrange strain, > 0 (a catalogue's per engineering strain).
-  double bending_stiffness = 0.0;   ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
-  double axial_damping = 1.0e-3;    ///< tau [s], >= 0; default 1 ms.
-  double drag_normal = 0.0;         ///< Cn [-], >= 0.
-  double drag_tangential = 0.0;     ///< Ct [-], >= 0.
-  double added_mass_normal = 1.0;   ///< Can [-], times the displaced mass, >= 0; default 1.
-  double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 .. 1e-3;
-                                         ///< meant for losses up to a half.
-  double permanent_elongation = 0.0;     ///< [m/m], >= 0: the tether is longer by this without load. s, the mass and
-                                         ///< the section stay those of before.
-  double working_load = 0.0;        ///< SWL (WLL) [N], > 0 and <= breaking_load.
-  double breaking_load = 0.0;       ///< MBL [N], > 0.
-  std::optional<double> load_area;  ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
+  double bending_stiffness = 0.0;  ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
+  double axial_damping = 1.0e-3;   ///< tau [s], >= 0; default 1 ms.
+  double drag_normal = 0.0;        ///< Cn [-], >= 0.
+  double drag_tangential = 0.0;    ///< Ct [-], >= 0.
+  double added_mass_normal = 1.0;  ///< Can [-], times the displaced mass, >= 0; default 1.
+  double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 ..
+                                         ///< 1e-3; meant for losses up to a half.
+  double permanent_elongation = 0.0;  ///< [m/m], >= 0: the tether is longer by this without load. s, the mass and
+                                      ///< the section stay those of before.
+  double working_load = 0.0;          ///< SWL (WLL) [N], > 0 and <= breaking_load.
+  double breaking_load = 0.0;         ///< MBL [N], > 0.
+  std::optional<double> load_area;    ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
   std::optional<double> min_bend_radius;  ///< [m], > 0; default none.
 
   /// Cross-section that displaces water, pi d^2 / 4 [m^2].

@@ -11,9 +11,9 @@ namespace tether_monitor::core
 struct Rotation
 {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit.
-  Vector3 velocity = Vector3::Zero();      ///< angular, body axes [rad/s].
-  Vector3 acceleration = Vector3::Zero();  ///< angular, body axes [rad/s^2].
-  Vector3 aux = Vector3::Zero();           ///< algorithmic acceleration, (M12).
+  Vector3 velocity = Vector3::Zero();                               ///< angular, body axes [rad/s].
+  Vector3 acceleration = Vector3::Zero();                           ///< angular, body axes [rad/s^2].
+  Vector3 aux = Vector3::Zero();                                    ///< algorithmic acceleration, (M12).
 };
 
 /// Motion of the centre of one obstacle, model coordinates.
@@ -34,30 +34,30 @@ enum class FrictionMode
 };
 
 /**
- * What friction remembers: for every integration point the place on a surface to which its friction spring is tied,
- * (M23). Empty while nothing can be touched.
+ * What friction remembers: for every integration point the place on a surface to which its friction spring is
+ * tied, (M23). Empty while nothing can be touched.
  */
 struct ContactMemory
 {
-  double time = 0.0;                      ///< [s] of these places.
-  double step = 0.0;                      ///< [s] of the step that is, or was, made: a contact is damped at least as it can resolve.
+  double time = 0.0;  ///< [s] of these places.
+  double step = 0.0;  ///< [s] of the step that is, or was, made: a contact is damped at least as it can resolve.
   FrictionMode friction = FrictionMode::STICK_SLIP;
-  std::vector<Vector3> seabed;            ///< [m]
-  std::vector<Vector3> obstacle;          ///< [m] on the obstacle touched deepest.
+  std::vector<Vector3> seabed;             ///< [m]
+  std::vector<Vector3> obstacle;           ///< [m] on the obstacle touched deepest.
   std::vector<Vector3> obstacle_position;  ///< centre of every obstacle [m].
 };
 
 /// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it.
 struct CableState
 {
-  double time = 0.0;  ///< [s] of the input clock.
-  double step = 0.0;  ///< size of the last accepted step [s]; 0: take the largest allowed.
-  NodeField q;        ///< coordinates.
-  NodeField v;        ///< first time derivative.
-  NodeField a;        ///< second time derivative; satisfies the equations of motion at `time`.
-  NodeField aux;      ///< algorithmic acceleration of the generalised-alpha scheme, (M12).
-  Rotation vessel;    ///< used if the model has a body there.
-  Rotation vehicle;   ///< used if the model has a body there.
+  double time = 0.0;                      ///< [s] of the input clock.
+  double step = 0.0;                      ///< size of the last accepted step [s]; 0: take the largest allowed.
+  NodeField q;                            ///< coordinates.
+  NodeField v;                            ///< first time derivative.
+  NodeField a;                            ///< second time derivative; satisfies the equations of motion at `time`.
+  NodeField aux;                          ///< algorithmic acceleration of the generalised-alpha scheme, (M12).
+  Rotation vessel;                        ///< used if the model has a body there.
+  Rotation vehicle;                       ///< used if the model has a body there.
   std::vector<ObstacleMotion> obstacles;  ///< one for each obstacle of the model.
   ContactMemory contact;
 

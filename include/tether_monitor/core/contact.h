@@ -16,22 +16,23 @@ class CableModel;
 ObstacleBorder borderFor(const CableModel& model, std::vector<int>& pushed);
 
 /**
- * Adds the contact of a tether with the seabed and with obstacles to its residual, (M22) and (M23) of doc/model.md.
+ * Adds the contact of a tether with the seabed and with obstacles to its residual, (M22) and (M23) of
+ * doc/model.md.
  *
- * Normal force: a spring that begins softly and a damper, never in pull. Friction: a spring tied to the surface that
- * slips at mu N, so that a tether at rest stays where it is.
+ * Normal force: a spring that begins softly and a damper, never in pull. Friction: a spring tied to the surface
+ * that slips at mu N, so that a tether at rest stays where it is.
  *
  * @param tangent  out unless null: weighted iteration matrix.
  * @param border   out unless null: forces on, and couplings to, the obstacles.
  */
-void addContact(const CableModel& model, const CableState& state, const TangentWeights& weights, NodeField& residual,
-                BlockTridiagonal* tangent, ObstacleBorder* border);
+void addContact(const CableModel& model, const CableState& state, const TangentWeights& weights,
+                NodeField& residual, BlockTridiagonal* tangent, ObstacleBorder* border);
 
 /// Contact force on the nodes of element `i` alone, to be added to its residual.
 ElementCoords elementContact(const CableModel& model, int i, const CableState& state);
 
-/// Gives a state room for the memory of friction, tied to where it lies, and its obstacles their places. Call it once
-/// for every state that is to be stepped.
+/// Gives a state room for the memory of friction, tied to where it lies, and its obstacles their places. Call it
+/// once for every state that is to be stepped.
 void beginContact(const CableModel& model, CableState& state);
 
 /// Ties the springs of friction anew after an accepted step.
@@ -43,16 +44,16 @@ struct ContactSummary
   /// Contact with one obstacle.
   struct Touch
   {
-    Vector3 force = Vector3::Zero();   ///< of the tether on the obstacle [N].
-    Vector3 place = Vector3::Zero();   ///< mean of the points of contact, weighted by their force [m].
-    double s = 0.0;                    ///< the same along the tether [m].
-    double total = 0.0;                ///< sum of the sizes of the normal forces [N]; 0: no contact.
-    double largest = 0.0;              ///< largest normal force per metre [N/m].
+    Vector3 force = Vector3::Zero();  ///< of the tether on the obstacle [N].
+    Vector3 place = Vector3::Zero();  ///< mean of the points of contact, weighted by their force [m].
+    double s = 0.0;                   ///< the same along the tether [m].
+    double total = 0.0;               ///< sum of the sizes of the normal forces [N]; 0: no contact.
+    double largest = 0.0;             ///< largest normal force per metre [N/m].
   };
 
-  double seabed_length = 0.0;   ///< unstretched length on the seabed [m].
-  double touchdown_s = -1.0;    ///< first point on the seabed from the vessel end [m]; < 0: none.
-  double energy = 0.0;          ///< stored in the springs of contact and friction [J].
+  double seabed_length = 0.0;  ///< unstretched length on the seabed [m].
+  double touchdown_s = -1.0;   ///< first point on the seabed from the vessel end [m]; < 0: none.
+  double energy = 0.0;         ///< stored in the springs of contact and friction [J].
   std::vector<Touch> obstacles;
 };
 

@@ -77,12 +77,14 @@ struct TangentWeights
  * @param motion    coordinates and rates; finite.
  * @param residual  out: 3-vectors conjugate to r_a, r'_a, r_b, r'_b [N, N m, N, N m].
  */
-void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion, ElementCoords& residual);
+void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion,
+                     ElementCoords& residual);
 
 /// As above, with the iteration matrix.
 /// @param weights  see TangentWeights.
 /// @param tangent  out: derivative of the residual, weighted.
-void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion, const TangentWeights& weights, ElementCoords& residual, ElementMatrix& tangent);
+void elementResidual(const ElementParameters& p, const Sea& sea, const ElementMotion& motion,
+                     const TangentWeights& weights, ElementCoords& residual, ElementMatrix& tangent);
 
 /// Energies of one element [J].
 struct ElementEnergy

@@ -41,8 +41,8 @@ struct EndPaths
 {
   EndPath vessel;
   EndPath vehicle;
-  Wrench vessel_thrust = {};   ///< at the centre of mass, body axes; for an end with a body.
-  Wrench vehicle_thrust = {};  ///< likewise.
+  Wrench vessel_thrust = {};                        ///< at the centre of mass, body axes; for an end with a body.
+  Wrench vehicle_thrust = {};                       ///< likewise.
   std::optional<PayoutPath> payout = std::nullopt;  ///< none: the deployed length stays.
 };
 

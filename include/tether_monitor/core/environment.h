@@ -15,10 +15,10 @@ namespace tether_monitor::core
 /// The sea around the tether, as a user describes it. The still water surface is z = 0.
 struct Environment
 {
-  double water_density = 1025.0;  ///< rho [kg/m^3], >= 0 (zero: the tether hangs in air).
-  double gravity = 9.81;          ///< g [m/s^2], >= 0.
-  CurrentProfile current;         ///< Water velocity by depth; default still water.
-  WaveProperties waves;           ///< default none.
+  double water_density = 1025.0;   ///< rho [kg/m^3], >= 0 (zero: the tether hangs in air).
+  double gravity = 9.81;           ///< g [m/s^2], >= 0.
+  CurrentProfile current;          ///< Water velocity by depth; default still water.
+  WaveProperties waves;            ///< default none.
   Vector3 wind = Vector3::Zero();  ///< velocity of the air [m/s]; zero: the air is not felt at all.
   std::optional<Seabed> seabed;    ///< default none.
   std::vector<Obstacle> obstacles;

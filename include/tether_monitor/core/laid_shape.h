@@ -5,8 +5,8 @@
 namespace tether_monitor::core
 {
 /**
- * A starting curve for a tether that reaches the seabed: a catenary leg from each end down to the floor, and what is
- * left lies between the feet, straight if that is its length, else in an arc.
+ * A starting curve for a tether that reaches the seabed: a catenary leg from each end down to the floor, and what
+ * is left lies between the feet, straight if that is its length, else in an arc.
  *
  * @param model            has a seabed.
  * @param vessel, vehicle  positions of the two ends [m]; one below the floor counts as on it.

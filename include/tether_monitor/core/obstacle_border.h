@@ -7,8 +7,8 @@
 
 namespace tether_monitor::core
 {
-/// Couples obstacles that have a mass to the tether: the iteration matrix is bordered by three rows and columns for
-/// each. All memory is taken by the constructor.
+/// Couples obstacles that have a mass to the tether: the iteration matrix is bordered by three rows and columns
+/// for each. All memory is taken by the constructor.
 class ObstacleBorder
 {
  public:

@@ -8,9 +8,9 @@ namespace tether_monitor::core
 /// What the water does at one point.
 struct Water
 {
-  Vector3 velocity;                          ///< current and waves [m/s].
-  Vector3 acceleration = Vector3::Zero();    ///< of the waves [m/s^2].
-  double surface = 0.0;                      ///< height of the surface above the point's x, y [m].
+  Vector3 velocity;                        ///< current and waves [m/s].
+  Vector3 acceleration = Vector3::Zero();  ///< of the waves [m/s^2].
+  double surface = 0.0;                    ///< height of the surface above the point's x, y [m].
 };
 
 /**

@@ -23,12 +23,12 @@ std::vector<std::string> problems(const DepthGrid& grid);
 /// The sea floor: where it is and what it does to a tether that touches it.
 struct Seabed
 {
-  double depth = 1000.0;                        ///< [m] below still water at the origin of the world, > 0.
+  double depth = 1000.0;                            ///< [m] below still water at the origin of the world, > 0.
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< rise of depth per metre east and north [-].
-  double normal_stiffness = 3.0e5;              ///< k [N/m^3], > 0: force per metre k d * penetration.
-  double damping = 3.0e4;                       ///< c [N s/m^3], >= 0: force per metre c d * speed of penetration.
-  double friction = 0.3;                        ///< Coulomb's mu [-], >= 0.
-  std::shared_ptr<const DepthGrid> grid;        ///< replaces depth and slope; null: none.
+  double normal_stiffness = 3.0e5;                  ///< k [N/m^3], > 0: force per metre k d * penetration.
+  double damping = 3.0e4;                 ///< c [N s/m^3], >= 0: force per metre c d * speed of penetration.
+  double friction = 0.3;                  ///< Coulomb's mu [-], >= 0.
+  std::shared_ptr<const DepthGrid> grid;  ///< replaces depth and slope; null: none.
 
   /// Height of the floor z [m] at (x, y), and its unit normal.
   struct Place

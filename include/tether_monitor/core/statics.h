@@ -8,8 +8,8 @@
 
 namespace tether_monitor::core
 {
-/// Ends between which a steady state is wanted: both move with the same constant velocity. The vehicle end is held,
-/// or free if the model has a body there, which then finds its own position, its axes those of the world.
+/// Ends between which a steady state is wanted: both move with the same constant velocity. The vehicle end is
+/// held, or free if the model has a body there, which then finds its own position, its axes those of the world.
 struct SteadyEnds
 {
   Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
@@ -33,8 +33,8 @@ struct StaticsOptions
  * the residual falls and shrink when Newton fails: at first a shape flows downhill, at last this is Newton's
  * method on R = 0. Waves are taken away.
  *
- * Where a tether at rest touches a surface it stays as it came down, however little friction there is: what lies on
- * the seabed has no steady state of its own. settleContact() lets go what friction does not hold.
+ * Where a tether at rest touches a surface it stays as it came down, however little friction there is: what lies
+ * on the seabed has no steady state of its own. settleContact() lets go what friction does not hold.
  */
 class Statics
 {
@@ -66,8 +66,8 @@ class Statics
 };
 
 /**
- * Lets a tether at rest in contact slip where friction does not hold it: steps it with its ends at rest until nothing
- * moves, up to a minute. Does nothing without contact, or where the ends move.
+ * Lets a tether at rest in contact slip where friction does not hold it: steps it with its ends at rest until
+ * nothing moves, up to a minute. Does nothing without contact, or where the ends move.
  *
  * @param state  a steady state of Statics, after beginContact(); in and out, its time stays.
  * @return       how the stepping went; CONVERGED if there was nothing to do.

@@ -13,9 +13,10 @@ struct Strumming
 {
   double lowest_frequency = 0.0;   ///< of vortex shedding, over the pieces that strum [Hz].
   double highest_frequency = 0.0;  ///< likewise [Hz].
-  double string_frequency = 0.0;   ///< first transverse natural frequency by the time a wave takes along the tether [Hz].
-  double length = 0.0;             ///< unstretched length that strums [m].
-  double s = 0.0;                  ///< where the shedding is fastest [m].
+  double string_frequency =
+      0.0;              ///< first transverse natural frequency by the time a wave takes along the tether [Hz].
+  double length = 0.0;  ///< unstretched length that strums [m].
+  double s = 0.0;       ///< where the shedding is fastest [m].
 };
 
 /// Frequency of vortex shedding on element `i`: 0.2 |un| / d, un the flow across the tether at its middle [Hz].
@@ -24,9 +25,9 @@ double sheddingFrequency(const CableModel& model, const CableState& state, int i
 /**
  * Which part of a tether strums.
  *
- * Model: (M27) of doc/model.md. A piece under water and in pull locks in where its shedding frequency is above 0.75 of
- * the first transverse natural frequency and half a wave of that frequency is at least 20 diameters long. A long
- * tether has a natural frequency near any other, so there is nearly always one to lock in with.
+ * Model: (M27) of doc/model.md. A piece under water and in pull locks in where its shedding frequency is above
+ * 0.75 of the first transverse natural frequency and half a wave of that frequency is at least 20 diameters long.
+ * A long tether has a natural frequency near any other, so there is nearly always one to lock in with.
  *
  * @param factor  multiplies the normal drag of the elements that strum, and takes it off the others; 1: changes
  *                nothing.

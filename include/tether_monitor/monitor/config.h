@@ -6,8 +6,8 @@
 
 #include "tether_monitor/core/cable_fittings.h"
 #include "tether_monitor/core/cable_properties.h"
-#include "tether_monitor/core/rigid_body.h"
 #include "tether_monitor/core/environment.h"
+#include "tether_monitor/core/rigid_body.h"
 #include "tether_monitor/core/stepper.h"
 #include "tether_monitor/core/winch_drum.h"
 #include "tether_monitor/monitor/alarm.h"

@@ -8,9 +8,9 @@
 namespace tether_monitor::monitor
 {
 /**
- * Deployed length as the winch reports it: between reports a cubic, beyond the last at its rate. A correction of an
- * extrapolation is spread over the time between reports, as for the ends: a jump of the length is a blow to a taut
- * tether.
+ * Deployed length as the winch reports it: between reports a cubic, beyond the last at its rate. A correction of
+ * an extrapolation is spread over the time between reports, as for the ends: a jump of the length is a blow to a
+ * taut tether.
  */
 class PayoutTrack
 {

@@ -23,10 +23,10 @@ namespace tether_monitor::monitor
 struct EndTargets
 {
   core::EndPoint vessel;
-  core::EndPoint vehicle;    ///< not used in mode free.
-  double vessel_age = 0.0;   ///< [s]
-  double vehicle_age = 0.0;  ///< [s]
-  std::optional<core::PayoutMotion> payout = std::nullopt;   ///< deployed length and rate; none: the length stays.
+  core::EndPoint vehicle;                                   ///< not used in mode free.
+  double vessel_age = 0.0;                                  ///< [s]
+  double vehicle_age = 0.0;                                 ///< [s]
+  std::optional<core::PayoutMotion> payout = std::nullopt;  ///< deployed length and rate; none: the length stays.
   double payout_age = std::numeric_limits<double>::quiet_NaN();  ///< [s]
 };
 
@@ -63,18 +63,18 @@ class TetherEstimator
   /// seabed in the configuration or the depth is not > 0.
   bool setDepth(double depth);
   /**
-   * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the grip of
-   * the tether on it.
+   * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the grip
+   * of the tether on it.
    * @return what is wrong with them, and nothing changes; empty if nothing is.
    */
   std::vector<std::string> setObstacles(double t, const std::vector<core::Obstacle>& obstacles);
   /// Thrust on a simulated vehicle, until the next call.
   void setThrust(const core::Wrench& thrust) { thrust_ = thrust; }
   /**
-   * Report of the winch at time t [s]: deployed length [m] and its rate [m/s] (NaN: not told). The tether is paid out
-   * accordingly; a leap that no winch makes lets it settle anew, with one estimate that says so.
-   * @return false, and nothing changes, unless the length can be meshed, the rate is no infinity, and t is later than
-   *         that of the last report.
+   * Report of the winch at time t [s]: deployed length [m] and its rate [m/s] (NaN: not told). The tether is paid
+   * out accordingly; a leap that no winch makes lets it settle anew, with one estimate that says so.
+   * @return false, and nothing changes, unless the length can be meshed, the rate is no infinity, and t is later
+   * than that of the last report.
    */
   bool addPayout(double t, double length, double rate = TetherEstimate::NONE);
 

@@ -11,14 +11,14 @@ namespace tether_monitor::monitor
 /// Natural frequencies of the tether as it hangs now, beside what excites it.
 struct VibrationReport
 {
-  std::vector<core::Mode> modes;        ///< the lowest, without shapes.
-  double encounter_frequency = 0.0;     ///< of the configured waves as the vessel meets them [Hz]; 0: no waves.
-  std::optional<core::Mode> resonant;   ///< the mode nearest to it, if it is within 15 %.
-  core::Strumming strumming;            ///< vortex shedding against the natural frequencies.
+  std::vector<core::Mode> modes;       ///< the lowest, without shapes.
+  double encounter_frequency = 0.0;    ///< of the configured waves as the vessel meets them [Hz]; 0: no waves.
+  std::optional<core::Mode> resonant;  ///< the mode nearest to it, if it is within 15 %.
+  core::Strumming strumming;           ///< vortex shedding against the natural frequencies.
 };
 
-/// Looks at an estimator that has an estimate; else an empty report. Takes milliseconds and allocates: at most once a
-/// second, outside of the stepping path.
+/// Looks at an estimator that has an estimate; else an empty report. Takes milliseconds and allocates: at most
+/// once a second, outside of the stepping path.
 VibrationReport reportVibration(const TetherEstimator& estimator, int modes = 20);
 
 }  // namespace tether_monitor::monitor

@@ -7,11 +7,11 @@
 namespace tether_monitor::params
 {
 /**
- * Reads a grid of depths: a CSV file with the columns x, y, depth [m], one row for every node of a regular grid, in any
- * order.
+ * Reads a grid of depths: a CSV file with the columns x, y, depth [m], one row for every node of a regular grid,
+ * in any order.
  *
- * @throws std::runtime_error naming the file and what is wrong: not readable, other columns, nodes that are missing,
- * doubled or not evenly spaced.
+ * @throws std::runtime_error naming the file and what is wrong: not readable, other columns, nodes that are
+ * missing, doubled or not evenly spaced.
  */
 core::DepthGrid readDepthGrid(const std::string& path);
 

@@ -88,7 +88,8 @@ class ShapeFile
 
 /// modes.csv (mode, kind, frequency) and mode_shapes.csv (displacement of every node in every mode).
 /// @param node_s  unstretched arc lengths of the nodes [m].
-void writeModes(const std::string& folder, const std::vector<core::Mode>& modes, const std::vector<double>& node_s);
+void writeModes(const std::string& folder, const std::vector<core::Mode>& modes,
+                const std::vector<double>& node_s);
 
 /// alarms.csv: a row for each alarm whose state has changed since the last call.
 class AlarmsFile

@@ -22,8 +22,8 @@ struct SteadyState
 };
 
 /**
- * The steady state of a configuration with both bodies level, moving together ("solution setting" of the paper), waves
- * taken away.
+ * The steady state of a configuration with both bodies level, moving together ("solution setting" of the paper),
+ * waves taken away.
  *
  * @param config    mode tracked: the vehicle is held at `vehicle`; mode free: it hangs from the tether.
  * @param vessel    position of the vessel's reference point [m].

@@ -33,7 +33,8 @@ geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v);
 void toMessage(const monitor::TetherEstimate& estimate, TetherState& out);
 
 /// Contacts of an estimate with the obstacles of its model; `header` is left to the caller.
-ContactArray contactsMessage(const monitor::TetherEstimate& estimate, const std::vector<core::Obstacle>& obstacles);
+ContactArray contactsMessage(const monitor::TetherEstimate& estimate,
+                             const std::vector<core::Obstacle>& obstacles);
 
 /// An obstacle of a message whose frame is taken to the world by `to_world`. @return what is wrong, or "".
 std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle);

@@ -22,7 +22,7 @@ struct DiagnosticFacts
   std::map<std::string, RefusalCount> refusals;  ///< by topic.
   double worst_step_time = 0.0;                  ///< [s] since the start.
   long ticks = 0;
-  monitor::VibrationReport vibration;            ///< of the last look.
+  monitor::VibrationReport vibration;  ///< of the last look.
 };
 
 /// Likely cause of a reason, and what to do about it, in a sentence.
@@ -33,6 +33,7 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
               diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Fills a status with natural frequencies and what excites them; WARN on resonance with the waves or strumming.
-void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_updater::DiagnosticStatusWrapper& status);
+void diagnoseVibration(const monitor::VibrationReport& report,
+                       diagnostic_updater::DiagnosticStatusWrapper& status);
 
 }  // namespace tether_monitor

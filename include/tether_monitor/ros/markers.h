@@ -11,9 +11,10 @@ namespace tether_monitor
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
 
 /**
- * The picture of an estimate: the tether coloured by utilisation of its sections ("tether"), the end forces ("force"),
- * a line of text for status and alarms ("status"), obstacles ("obstacle", id their number) and the seabed under the
- * tether ("seabed"). Namespaces and ids never change; while INVALID tether and forces are deleted.
+ * The picture of an estimate: the tether coloured by utilisation of its sections ("tether"), the end forces
+ * ("force"), a line of text for status and alarms ("status"), obstacles ("obstacle", id their number) and the
+ * seabed under the tether ("seabed"). Namespaces and ids never change; while INVALID tether and forces are
+ * deleted.
  */
 visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator);
 

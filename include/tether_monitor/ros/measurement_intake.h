@@ -4,8 +4,8 @@
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
-#include <tether_monitor/CurrentProfile.h>
 #include <std_msgs/Float64.h>
+#include <tether_monitor/CurrentProfile.h>
 #include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
 #include <tf2/buffer_core.h>

@@ -39,7 +39,8 @@ class TetherMonitorRos
   void subscribeBody(const std::string& topic, BodyName body);
   /// Subscribes to a topic that `take` takes into the intake.
   template <typename Message>
-  void subscribe(const std::string& topic, std::string (MeasurementIntake::*take)(const Message&, const ros::Time&));
+  void subscribe(const std::string& topic,
+                 std::string (MeasurementIntake::*take)(const Message&, const ros::Time&));
   void receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take);
   void noteRefusal(const std::string& topic, const std::string& why);
   void ensureTimeBase(const ros::Time& now);

@@ -15,8 +15,9 @@ namespace tether_monitor
  * A simulated vessel, tether and vehicle on ROS: what the monitor subscribes to, and the truth beside it.
  *
  * **Publishes** (relative): vessel/pose, vessel/velocity, vehicle/pose, vehicle/velocity, payout, obstacles,
- * vehicle/thrust (if the monitor's vehicle is free); (private) vessel_end/force, vehicle_end/force: the true forces of
- * the tether on its ends, and markers: hull and vehicle. Frames NS/vessel and NS/vehicle on /tf. With `simulation.clock` also /clock.
+ * vehicle/thrust (if the monitor's vehicle is free); (private) vessel_end/force, vehicle_end/force: the true
+ * forces of the tether on its ends, and markers: hull and vehicle. Frames NS/vessel and NS/vehicle on /tf. With
+ * `simulation.clock` also /clock.
  */
 class TetherSimRos
 {
@@ -24,8 +25,8 @@ class TetherSimRos
   /**
    * @param nh          for outputs.
    * @param private_nh  for parameters: the tree of the monitor with the key `simulation`.
-   * @throws params::ParamError listing every fault of the parameters; std::runtime_error if there is no steady state
-   * to start from.
+   * @throws params::ParamError listing every fault of the parameters; std::runtime_error if there is no steady
+   * state to start from.
    */
   TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 

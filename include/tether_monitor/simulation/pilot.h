@@ -6,8 +6,8 @@
 
 namespace tether_monitor::simulation
 {
-/// Steers a vessel along its waypoints: thrust along its axis for the speed, a yaw moment for the heading. One that has
-/// neither waypoints nor speed keeps its station.
+/// Steers a vessel along its waypoints: thrust along its axis for the speed, a yaw moment for the heading. One
+/// that has neither waypoints nor speed keeps its station.
 class Helmsman
 {
  public:
@@ -21,7 +21,7 @@ class Helmsman
   core::RigidBody ship_;
   double water_density_;
   std::size_t next_ = 0;
-  double pull_ = 0.0;  // what else it takes to keep the speed [N]
+  double pull_ = 0.0;                            // what else it takes to keep the speed [N]
   core::Vector3 drift_ = core::Vector3::Zero();  // integral of the distance from the station [m s]
 };
 

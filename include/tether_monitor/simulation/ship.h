@@ -20,9 +20,9 @@ struct ShipProperties
 std::vector<std::string> problems(const ShipProperties& ship);
 
 /**
- * A box-shaped ship that floats at its draft: mass by its displacement, centre of mass at nine tenths of the draft above
- * the keel, radii of gyration, added mass, drag and wind areas as is usual for its size. Its reference point is its
- * centre of mass.
+ * A box-shaped ship that floats at its draft: mass by its displacement, centre of mass at nine tenths of the draft
+ * above the keel, radii of gyration, added mass, drag and wind areas as is usual for its size. Its reference point
+ * is its centre of mass.
  */
 core::RigidBody shipLike(const ShipProperties& ship, double water_density);
 

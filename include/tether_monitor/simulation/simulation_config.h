@@ -30,9 +30,9 @@ struct VesselPlan
 /// What drives the simulated vehicle.
 enum class VehicleControl
 {
-  NONE,   ///< towed: only its constant force.
+  NONE,    ///< towed: only its constant force.
   THRUST,  ///< a constant thrust in its own axes.
-  HOLD    ///< a pilot who takes it from waypoint to waypoint and keeps it there.
+  HOLD     ///< a pilot who takes it from waypoint to waypoint and keeps it there.
 };
 
 /// The simulated vehicle and what it does.
@@ -58,15 +58,15 @@ struct WinchOrder
 /// A sensor of a body: how often and how well it measures.
 struct SensorPlan
 {
-  double rate = 20.0;                ///< [Hz], > 0.
-  double position_stddev = 0.0;      ///< [m], >= 0.
-  double velocity_stddev = 0.0;      ///< [m/s], >= 0.
-  double orientation_stddev = 0.0;   ///< [rad], >= 0.
-  bool velocity = true;              ///< whether velocities are measured too.
-  double dropout = 0.0;              ///< share of measurements that get lost [-], 0..1.
-  double outlier = 0.0;              ///< share of positions that are `outlier_size` off [-], 0..1.
-  double outlier_size = 10.0;        ///< [m], >= 0.
-  double latency = 0.0;              ///< [s] from measurement to message, >= 0; the stamp is that of the measurement.
+  double rate = 20.0;               ///< [Hz], > 0.
+  double position_stddev = 0.0;     ///< [m], >= 0.
+  double velocity_stddev = 0.0;     ///< [m/s], >= 0.
+  double orientation_stddev = 0.0;  ///< [rad], >= 0.
+  bool velocity = true;             ///< whether velocities are measured too.
+  double dropout = 0.0;             ///< share of measurements that get lost [-], 0..1.
+  double outlier = 0.0;             ///< share of positions that are `outlier_size` off [-], 0..1.
+  double outlier_size = 10.0;       ///< [m], >= 0.
+  double latency = 0.0;  ///< [s] from measurement to message, >= 0; the stamp is that of the measurement.
   double gap_from = 0.0, gap_to = 0.0;  ///< [s] since the start: nothing is measured in between.
 };
 
@@ -78,12 +78,12 @@ struct SimulationConfig
   std::vector<WinchOrder> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
   SensorPlan vessel_sensor, vehicle_sensor;
-  double payout_rate = 10.0;        ///< reports of the winch per second [Hz]; 0: none.
-  double payout_stddev = 0.0;       ///< [m], >= 0.
-  bool publish_obstacles = false;   ///< tell the monitor of the obstacles live.
+  double payout_rate = 10.0;       ///< reports of the winch per second [Hz]; 0: none.
+  double payout_stddev = 0.0;      ///< [m], >= 0.
+  bool publish_obstacles = false;  ///< tell the monitor of the obstacles live.
   unsigned seed = 1;
-  bool clock = false;               ///< the simulation owns the clock.
-  double speed = 1.0;               ///< simulated seconds per second then, > 0.
+  bool clock = false;  ///< the simulation owns the clock.
+  double speed = 1.0;  ///< simulated seconds per second then, > 0.
 };
 
 /// Every bound of SimulationConfig that `config` violates, one sentence each, named as in the parameter tree.

@@ -197,7 +197,8 @@ TEST_F(Intake, ObstaclesAreCheckedAndTakenToTheWorld)
   EXPECT_EQ(intake.take(array, now), "");
   ASSERT_EQ(estimator.model().environment().obstacles.size(), 1u);
   EXPECT_EQ(estimator.model().environment().obstacles[0].size.y(), 20.0);
-  EXPECT_EQ(estimator.model().environment().obstacles[0].orientation.w(), 1.0) << "an orientation of zeros is none";
+  EXPECT_EQ(estimator.model().environment().obstacles[0].orientation.w(), 1.0)
+      << "an orientation of zeros is none";
   pile.shape = 7;
   EXPECT_NE(intake.take(array, now).find("shape = 7"), std::string::npos);
   pile.shape = Obstacle::CYLINDER;
