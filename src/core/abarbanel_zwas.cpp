@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tether_monitor/core/bounds.h"
+#include "tether_monitor/core/contact_law.h"
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/rotation.h"
 
@@ -15,6 +16,7 @@ namespace
 {
 // Largest eigenfrequency of a Hermite element: axial 6.48 c / l, bending 92 sqrt(EI / m) / l^2.
 constexpr double AXIAL_SHARE = 42.0, BENDING_SHARE = 8400.0;
+constexpr double MASS_SHARE = 4.0;  // a point of an element moves a part of its mass only
 const TangentWeights MASS_ONLY{1.0, 0.0, 0.0};
 }  // namespace
 
@@ -42,11 +44,17 @@ double AbarbanelZwas::stableStep(const CableModel& model)
 {
   const HeldEnds held = heldEnds(model);
   const double limit = held.vessel && held.vehicle ? HELD_LIMIT : FREE_LIMIT;
-  double touch = 0.0;  // stiffest surface [N/m^3]
+  double touch = 0.0, brake = 0.0;  // stiffest surface [N/m^3] and its damper [N s/m^3]
   if (model.sea().hasSeabed())
+  {
     touch = model.environment().seabed->normal_stiffness;
+    brake = model.environment().seabed->damping;
+  }
   for (const Obstacle& obstacle : model.environment().obstacles)
+  {
     touch = std::max(touch, obstacle.stiffness);
+    brake = std::max(brake, OBSTACLE_DAMPING * obstacle.stiffness);
+  }
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < model.elements(); ++i)
   {
@@ -55,9 +63,9 @@ double AbarbanelZwas::stableStep(const CableModel& model)
     const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
     const double axial = stretch * AXIAL_SHARE * e.axial.stiffness / (e.mass * l2);
     const double bending = BENDING_SHARE * e.bending_stiffness / (e.mass * l2 * l2);
-    const double contact = 2.0 * touch * e.diameter / e.mass;
+    const double contact = MASS_SHARE * touch * e.diameter / e.mass;
     const double w = std::sqrt(axial + bending + contact);
-    const double damping = 0.5 * e.axial.damping * axial / w;
+    const double damping = 0.5 * (e.axial.damping * axial + MASS_SHARE * brake * e.diameter / e.mass) / w;
     const double h = limit * std::sqrt(AXIAL_SHARE) / w;
     smallest = std::min(smallest, h * (std::hypot(1.0, damping) - damping));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/contact_law.h"
 #include "tether_monitor/core/quadrature.h"
 #include "tether_monitor/core/shape_functions.h"
 
@@ -11,101 +12,8 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double SOFT_START = 0.02;          // penetration over diameter at which the spring is fully stiff [-]
-constexpr double STEP_DAMPING = 0.5;         // least damping over stiffness and time step [-], (M22)
-constexpr double OBSTACLE_DAMPING = 1.0e-3;  // damping over stiffness of an obstacle [s]
+constexpr double STEP_DAMPING = 0.5;  // least damping over stiffness and time step [-], (M22)
 constexpr int POINTS = static_cast<int>(GAUSS_POINTS.size());
-
-// One surface under one point: what it is made of, per metre of tether, and how the point moves against it.
-struct Surface
-{
-  double stiffness, damping, friction;  // k d [N/m^2], c d [N s/m^2], mu
-  double penetration;                   // [m], > 0 in contact
-  Vector3 normal;
-  Matrix3 curvature;  // d normal / d point
-  Vector3 velocity;   // of the point against the surface
-  Vector3 stretch;    // of the friction spring before it slips
-  FrictionMode friction_mode;
-};
-
-// Force of a surface on the tether, per metre.
-struct Touch
-{
-  Vector3 force = Vector3::Zero();
-  Vector3 stretch = Vector3::Zero();    // of the friction spring
-  Matrix3 stiffness = Matrix3::Zero();  // weighted -d force / d point
-  double normal_force = 0.0;
-  double energy = 0.0;
-};
-
-Touch touch(const Surface& on, double diameter, const TangentWeights& w)
-{
-  Touch out;
-  if (!(on.penetration > 0.0))
-    return out;
-  const double soft = SOFT_START * diameter;
-  const bool full = on.penetration >= soft;
-  const double share = full ? 1.0 : on.penetration / soft;
-  const double approach = -on.normal.dot(on.velocity);
-  const double N = on.stiffness * (full ? on.penetration - 0.5 * soft : 0.5 * on.penetration * share) +
-                   on.damping * share * approach;  // (M22)
-  if (N <= 0.0)
-    return out;
-  out.normal_force = N;
-  const double modulus = on.stiffness * share + (full ? 0.0 : on.damping * approach / soft);
-  const double N_r = w.stiffness * modulus + w.damping * on.damping * share;  // -d N / d (normal distance)
-  out.force = N * on.normal;
-  out.stiffness = N_r * on.normal * on.normal.transpose() - w.stiffness * N * on.curvature;
-  out.energy = on.stiffness * (full ? 0.5 * on.penetration * (on.penetration - soft) + soft * soft / 6.0
-                                    : on.penetration * on.penetration * share / 6.0);
-
-  const double limit = on.friction * N;
-  if (limit <= 0.0 && on.friction_mode != FrictionMode::GLUED)
-    return out;
-  const Matrix3 P = Matrix3::Identity() - on.normal * on.normal.transpose();
-  const Vector3 slide = P * on.velocity;
-  if (on.friction_mode == FrictionMode::SLIDING)
-  {
-    const double speed = slide.norm();
-    if (speed > 1e-6)
-    {
-      const Vector3 against = -slide / speed;
-      out.force += limit * against;
-      out.stiffness += on.friction * N_r * against * on.normal.transpose();
-    }
-    return out;
-  }
-  const Vector3 stretch = P * on.stretch;
-  if (on.friction_mode == FrictionMode::GLUED)
-  {
-    // Begins softly, as the normal force, so that touching down is no jump.
-    const Vector3 pull = -on.stiffness * stretch;
-    const double rising = full ? 0.0 : 1.0 / soft;
-    out.force += share * pull;
-    out.stiffness += w.stiffness * (share * on.stiffness * P + rising * pull * on.normal.transpose());
-    out.stretch = stretch;
-    return out;
-  }
-  const Vector3 hold = -(on.stiffness * stretch + on.damping * slide);  // (M23)
-  const double size = hold.norm();
-  const double elastic = w.stiffness * on.stiffness + w.damping * on.damping;
-  if (size <= limit)
-  {
-    out.force += hold;
-    out.stiffness += elastic * P;
-    out.stretch = stretch;
-  }
-  else
-  {
-    const Vector3 against = hold / size;
-    out.force += limit * against;
-    out.stiffness += on.friction * N_r * against * on.normal.transpose() +
-                     limit / size * elastic * (P - against * against.transpose());
-    out.stretch = -limit / on.stiffness * against;
-  }
-  out.energy += 0.5 * on.stiffness * out.stretch.squaredNorm();
-  return out;
-}
 
 // An integration point of an element: where it is and how it moves as a piece of the tether.
 struct Point
@@ -232,7 +140,7 @@ void forContacts(const CableModel& model, const CableState& state, int i, const 
     const Point at = pointAt(model, i, g, state, q, v);
     if (near.floor)
     {
-      const Touch contact = touch(floorUnder(model, state, at, diameter), diameter, w);
+      const SurfaceTouch contact = touchSurface(floorUnder(model, state, at, diameter), diameter, w);
       if (contact.normal_force > 0.0)
         visit(at, contact, -1);
     }
@@ -240,7 +148,7 @@ void forContacts(const CableModel& model, const CableState& state, int i, const 
     const int obstacle = near.obstacle ? deepestObstacle(model, state, at, diameter, surface) : -1;
     if (obstacle >= 0)
     {
-      const Touch contact = touch(surface, diameter, w);
+      const SurfaceTouch contact = touchSurface(surface, diameter, w);
       if (contact.normal_force > 0.0)
         visit(at, contact, obstacle);
     }
@@ -269,7 +177,7 @@ void addContact(const CableModel& model, const CableState& state, const TangentW
   {
     bool any = false;
     forContacts(model, state, i, weights,
-                [&](const Point& at, const Touch& contact, int obstacle)
+                [&](const Point& at, const SurfaceTouch& contact, int obstacle)
                 {
                   if (!any && tangent)
                     J.setZero();
@@ -304,7 +212,7 @@ ElementCoords elementContact(const CableModel& model, int i, const CableState& s
 {
   ElementCoords sum = ElementCoords::Zero();
   forContacts(model, state, i, TangentWeights{},
-              [&](const Point& at, const Touch& contact, int)
+              [&](const Point& at, const SurfaceTouch& contact, int)
               {
                 for (int a = 0; a < 4; ++a)
                   sum.segment<3>(3 * a) -= at.weight * at.shape[a] * contact.force;
@@ -343,7 +251,7 @@ void acceptContact(const CableModel& model, CableState& state)
     for (int g = 0; g < POINTS; ++g)
       bed[g] = other[g] = pointAt(model, i, g, state, q, v).r;
     forContacts(model, state, i, TangentWeights{},
-                [&](const Point& at, const Touch& contact, int obstacle)
+                [&](const Point& at, const SurfaceTouch& contact, int obstacle)
                 { (obstacle < 0 ? bed : other)[at.index - POINTS * i] = at.r - contact.stretch; });
     for (int g = 0; g < POINTS; ++g)
     {
@@ -368,7 +276,7 @@ void summariseContact(const CableModel& model, const CableState& state, ContactS
     return;
   for (int i = 0; i < model.elements(); ++i)
     forContacts(model, state, i, TangentWeights{},
-                [&](const Point& at, const Touch& contact, int obstacle)
+                [&](const Point& at, const SurfaceTouch& contact, int obstacle)
                 {
                   const double s =
                       model.arcLength(i) + GAUSS_POINTS[at.index - POINTS * i].xi * model.element(i).length;

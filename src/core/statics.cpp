@@ -226,7 +226,7 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
   }
 }
 
-SolveReport settleContact(CableModel& model, Stepper& stepper, CableState& state)
+SolveReport settleContact(CableModel& model, CableState& state)
 {
   constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
   constexpr double STILL = 2e-3;                   // [m/s]
@@ -239,6 +239,7 @@ SolveReport settleContact(CableModel& model, Stepper& stepper, CableState& state
                                    [](const ContactSummary::Touch& touch) { return touch.total > 0.0; });
   if (!touches || state.v.front().head<3>().norm() > CREEP)
     return total;
+  Stepper stepper(model, StepperOptions());
   const double time = state.time;
   const std::vector<ObstacleMotion> obstacles = state.obstacles;
   for (ObstacleMotion& obstacle : state.obstacles)

@@ -51,6 +51,28 @@ void summarise(const core::CableModel& model, TetherEstimate& e)
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
 
+void describeContact(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& e)
+{
+  core::summariseContact(model, state, e.contact);
+  e.seabed_contact_length = e.contact.seabed_length;
+  e.touchdown_s = e.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : e.contact.touchdown_s;
+  for (core::ContactSummary::Touch& touch : e.contact.obstacles)
+    touch.place += origin;
+}
+
+void describeVehicle(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& e)
+{
+  const core::Rotation& rotation = state.vehicle;
+  const core::Vector3 lever = rotation.orientation * model.bodies().vehicle->attachment;
+  e.has_vehicle = true;
+  e.vehicle.orientation = rotation.orientation;
+  e.vehicle.angular_velocity = rotation.orientation * rotation.velocity;
+  e.vehicle.position = state.q.back().head<3>() + origin - lever;
+  e.vehicle.velocity = state.v.back().head<3>() - e.vehicle.angular_velocity.cross(lever);
+}
+
 Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
 {
   for (int i = 0; i < model.elements(); ++i)

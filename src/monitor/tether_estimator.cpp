@@ -267,7 +267,7 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
       return false;
   }
   core::beginContact(model_, state_);
-  last_solve_ = core::settleContact(model_, stepper_, state_);
+  last_solve_ = core::settleContact(model_, state_);
   if (!last_solve_.converged())
     return false;
   payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
@@ -350,29 +350,6 @@ Reason TetherEstimator::degradation(const EndTargets& ends) const
   return since_rejection >= 0.0 && since_rejection <= config_.pose_timeout ? Reason::REJECTED_INPUT : Reason::NONE;
 }
 
-void TetherEstimator::describeContact()
-{
-  core::summariseContact(model_, state_, estimate_.contact);
-  estimate_.seabed_contact_length = estimate_.contact.seabed_length;
-  estimate_.touchdown_s =
-      estimate_.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : estimate_.contact.touchdown_s;
-  for (core::ContactSummary::Touch& touch : estimate_.contact.obstacles)
-    touch.place += origin_;
-}
-
-void TetherEstimator::describeVehicle()
-{
-  estimate_.has_vehicle = isVehicleFree();
-  if (!estimate_.has_vehicle)
-    return;
-  const core::Rotation& rotation = state_.vehicle;
-  const core::Vector3 lever = rotation.orientation * config_.vehicle.attachment;
-  estimate_.vehicle.orientation = rotation.orientation;
-  estimate_.vehicle.angular_velocity = rotation.orientation * rotation.velocity;
-  estimate_.vehicle.position = state_.q.back().head<3>() + origin_ - lever;
-  estimate_.vehicle.velocity = state_.v.back().head<3>() - estimate_.vehicle.angular_velocity.cross(lever);
-}
-
 void TetherEstimator::lookAtStrumming()
 {
   if (state_.time < strumming_at_ + STRUMMING_PERIOD && state_.time >= strumming_at_)
@@ -390,8 +367,9 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
   estimate_.has_stations = true;
   estimate_.payout_rate = ends.payout ? payout_rate_ : TetherEstimate::NONE;
   summarise(model_, estimate_);
-  describeContact();
-  describeVehicle();
+  describeContact(model_, state_, origin_, estimate_);
+  if (isVehicleFree())
+    describeVehicle(model_, state_, origin_, estimate_);
   lookAtStrumming();
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))

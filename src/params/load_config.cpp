@@ -1,10 +1,12 @@
 #include "tether_monitor/params/load_config.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "tether_monitor/params/depth_grid.h"
 #include "tether_monitor/params/reader.h"
+#include "tether_monitor/params/yaml_file.h"
 
 namespace tether_monitor::params
 {
@@ -302,6 +304,11 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   if (!in.faults().empty())
     throw ParamError(where, in.faults());
   return config;
+}
+
+monitor::Config loadConfigFile(const std::string& path)
+{
+  return loadConfig(readYamlFile(path), path, std::filesystem::path(path).parent_path().string());
 }
 
 }  // namespace tether_monitor::params

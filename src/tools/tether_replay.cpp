@@ -6,7 +6,6 @@
 
 #include "tether_monitor/params/csv_table.h"
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/params/yaml_file.h"
 #include "tether_monitor/replay/replay_run.h"
 #include "tether_monitor/ros/bag_replay.h"
 
@@ -40,7 +39,7 @@ tether_monitor::replay::VehicleColumns recordedVehicle(const tether_monitor::mon
 void replay(const Arguments& arguments)
 {
   using namespace tether_monitor;
-  monitor::TetherEstimator estimator(params::loadConfig(params::readYamlFile(arguments.config), arguments.config));
+  monitor::TetherEstimator estimator(params::loadConfigFile(arguments.config));
   replay::ReplayOptions options;
   options.rate = arguments.rate;
   if (!arguments.quiet && isatty(STDERR_FILENO))

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/params/yaml_file.h"
 #include "tether_monitor/replay/output_files.h"
 #include "tether_monitor/replay/steady_state.h"
 
@@ -60,7 +59,7 @@ void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& ar
 int findSteadyState(const Arguments& arguments)
 {
   using namespace tether_monitor;
-  const monitor::Config config = params::loadConfig(params::readYamlFile(arguments.config), arguments.config);
+  const monitor::Config config = params::loadConfigFile(arguments.config);
   const bool is_free = config.vehicle_mode == monitor::VehicleMode::FREE;
   if (is_free && !arguments.vehicle_position.empty())
     throw std::runtime_error("--vehicle-position cannot be given for a free vehicle: it finds its own");

@@ -176,6 +176,30 @@ TEST(AbarbanelZwas, HeavePeakIsThatOfTheImplicitScheme)
   EXPECT_NEAR(peak[1], peak[0], 0.01 * peak[0]);
 }
 
+TEST(AbarbanelZwas, StaysStableOnTheSeabed)
+{
+  Environment sea;
+  sea.seabed = Seabed();
+  sea.seabed->depth = 10.0;
+  CableProperties p = softTow();
+  p.length = 30.0;
+  p.axial_stiffness = 2e5;
+  CableModel model(p, 10, sea);
+  NodeField shape(11);
+  for (int i = 0; i < 11; ++i)
+    shape[i] << 3.0 * i, 0.0, -10.0 + 0.02 + 0.1 * std::sin(0.3 * i), 1.0, 0.0, 0.01 * std::cos(0.3 * i);
+  CableState state(0.0, shape, Vector3::Zero());
+  beginContact(model, state);
+  StepperOptions options;
+  options.scheme = Scheme::ABARBANEL_ZWAS;
+  Stepper stepper(model, options);
+  const EndPaths rest{EndPath::uniform(0.0, {shape[0].head<3>(), Vector3::Zero()}),
+                      EndPath::uniform(0.0, {shape[10].head<3>(), Vector3::Zero()})};
+  ASSERT_TRUE(stepper.advance(model, rest, 5.0, state).converged());
+  for (const NodeCoords& v : state.v)
+    EXPECT_LT(v.norm(), 0.02);
+}
+
 TEST(AbarbanelZwas, SettlesToTheSteadyTowOfTheImplicitScheme)
 {
   RigidBody body;

@@ -72,6 +72,6 @@ class Statics
  * @param state  a steady state of Statics, after beginContact(); in and out, its time stays.
  * @return       how the stepping went; CONVERGED if there was nothing to do.
  */
-SolveReport settleContact(CableModel& model, Stepper& stepper, CableState& state);
+SolveReport settleContact(CableModel& model, CableState& state);
 
 }  // namespace tether_monitor::core

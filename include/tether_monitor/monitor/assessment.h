@@ -9,6 +9,14 @@ namespace tether_monitor::monitor
 /// loads of its own section, the weaker one at a boundary), angles. Allocates nothing.
 void summarise(const core::CableModel& model, TetherEstimate& estimate);
 
+/// Fills what the tether touches, in the world. @param origin  place of the model's coordinates in the world [m].
+void describeContact(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& estimate);
+
+/// Fills the pose and the rates of the body at the vehicle end of a model that has one.
+void describeVehicle(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& estimate);
+
 /// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load, 10 % strain or where pressure
 /// takes more than half of the diameter, MESH_COARSE where the tether turns by more than 1.2 rad within one
 /// element, else NONE.

@@ -120,8 +120,6 @@ class TetherEstimator
   bool setLength(double length);
   bool isPossibleLength(double length) const;
   void lookAtAges(double t);
-  void describeContact();
-  void describeVehicle();
   void lookAtStrumming();
   Reason degradation(const EndTargets& ends) const;
   EndTargets targetsAt(double t);
