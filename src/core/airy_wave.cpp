@@ -35,6 +35,12 @@ AiryWave::AiryWave(const WaveProperties& waves, double gravity, double depth)
   frequency_ = std::sqrt(gravity * wavenumber_ * std::tanh(wavenumber_ * depth));  // (M21)
 }
 
+void AiryWave::delay(double epoch)
+{
+  if (frequency_ > 0.0)
+    phase_ -= std::fmod(epoch, 2.0 * M_PI / frequency_) * frequency_;
+}
+
 double AiryWave::encounterFrequency(const Vector3& V) const
 {
   return std::abs(frequency_ - k_.dot(V));

@@ -113,6 +113,16 @@ std::vector<double> meshNodes(double length, int elements, const CableFittings& 
   return nodes;
 }
 
+std::optional<double> bendLimit(const CableProperties& tether, const CableFittings& fittings)
+{
+  std::optional<double> limit = tether.min_bend_radius;
+  if (!limit)
+    for (const CableSection& section : fittings.sections)
+      if (section.properties.min_bend_radius)
+        limit = std::min(limit.value_or(*section.properties.min_bend_radius), *section.properties.min_bend_radius);
+  return limit;
+}
+
 double firstFixedPoint(double length, const CableFittings& fittings)
 {
   return breaks(length, fittings)[1].s;

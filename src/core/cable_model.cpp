@@ -93,6 +93,8 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
       growing_share_.push_back(length / grows_to);
   }
   fixed_length_ = properties.length - grows_to;
+  built_length_ = properties.length;
+  bend_limit_ = core::bendLimit(properties, fittings);
   for (const Attachment& attachment : fittings.attachments)
   {
     const auto nearest = std::min_element(arc_length_.begin(), arc_length_.end(),
@@ -139,8 +141,9 @@ void CableModel::setDragFactor(int i, double factor)
 bool CableModel::canPayTo(double length) const
 {
   const double growing = length - fixed_length_;
-  const double regular = properties_.length / elements();
-  return std::isfinite(length) && growing > 0.05 * regular * growing_share_.size();
+  const double regular = built_length_ / elements() * growing_share_.size();
+  return std::isfinite(length) && growing > 0.05 * regular &&
+         growing < 10.0 * std::max(regular, built_length_ - fixed_length_);
 }
 
 void CableModel::setPayout(const PayoutMotion& payout)

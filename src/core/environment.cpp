@@ -12,6 +12,12 @@ std::vector<std::string> problems(const Environment& environment)
   check.finite("wind (norm)", environment.wind.norm(), "m/s");
   check.require(environment.waves.amplitude == 0.0 || environment.gravity > 0.0, "gravity", environment.gravity,
                 "> 0 m/s^2 where there are waves");
+  if (environment.seabed)
+  {
+    const double depth = environment.seabed->meanDepth();
+    check.require(!(environment.waves.amplitude > 0.4 * depth), "waves.amplitude", environment.waves.amplitude,
+                  "at most 0.4 times the depth of the sea");
+  }
   std::vector<std::string> found = check.problems();
   const auto add = [&](const std::vector<std::string>& more)
   { found.insert(found.end(), more.begin(), more.end()); };

@@ -12,7 +12,7 @@ ObstacleBorder::ObstacleBorder(const std::vector<bool>& pushed, int nodes)
   diagonal_.assign(count, Matrix3::Zero());
   residual_.assign(count, Vector3::Zero());
   schur_ = Eigen::MatrixXd::Zero(3 * count, 3 * count);
-  solution_ = Eigen::VectorXd::Zero(3 * count);
+  solution_ = work_ = Eigen::VectorXd::Zero(3 * count);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(3 * count);
 }
 
@@ -49,7 +49,8 @@ bool ObstacleBorder::solve(BlockTridiagonal& matrix, NodeField& b)
     }
   }
   lu_.compute(schur_);
-  solution_ = lu_.solve(solution_).eval();
+  work_ = solution_;
+  solution_ = lu_.solve(work_);
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t i = 0; i < b.size(); ++i)
       b[i] -= columns_[k][i] * solution_.segment<3>(3 * k);

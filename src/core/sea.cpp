@@ -32,7 +32,14 @@ void Sea::setDepth(double depth)
   environment_.seabed->grid.reset();
   environment_.seabed->slope.setZero();
   if (!wave_.isCalm())
-    wave_ = waveOf(environment_);
+    setEpoch(epoch_);
+}
+
+void Sea::setEpoch(double epoch)
+{
+  epoch_ = epoch;
+  wave_ = waveOf(environment_);
+  wave_.delay(epoch);
 }
 
 void Sea::addWave(const Vector3& point, double t, Water& water) const

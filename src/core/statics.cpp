@@ -16,8 +16,9 @@ namespace
 constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is folded
 constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
 constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
-constexpr double CREEP = 1e-3;            // speed of the ends below which a tether lies still [m/s]
-constexpr double NEWTON_TAU = 1e9;        // growth of tau over the first step at which the flow is Newton's method
+constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};  // of their stiffness
+constexpr double CREEP = 1e-3;                           // speed of the ends below which a tether lies still [m/s]
+constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
 void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
@@ -70,7 +71,8 @@ bool dipsBelowFloor(const CableModel& model, const NodeField& shape)
   return false;
 }
 
-NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
+// The curve that the tether takes without obstacles, more or less.
+NodeField freeShape(const CableModel& model, const SteadyEnds& ends)
 {
   const bool hangs = model.bodies().vehicle.has_value();
   const NodeField shape = hangs ? hangingShape(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
@@ -80,6 +82,39 @@ NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
   const NodeField laid = laidShape(model, ends.vessel, hangs ? Vector3(shape.back().head<3>()) : ends.vehicle);
   return laid.empty() ? shape : laid;
 }
+// Moves nodes out of obstacles by the shortest way, the ends apart.
+void pushOut(const CableModel& model, NodeField& shape)
+{
+  constexpr int PASSES = 3;  // out of one obstacle may be into another
+  for (int pass = 0; pass < PASSES; ++pass)
+    for (const Obstacle& obstacle : model.environment().obstacles)
+      for (int i = 1; i < model.elements(); ++i)
+      {
+        const Separation gap =
+            separation(obstacle, shape[i].head<3>() - (obstacle.position - model.sea().origin()));
+        const double inside = 0.5 * model.element(i).diameter - gap.distance;
+        if (inside > 0.0)
+          shape[i].head<3>() += inside * gap.normal;
+      }
+}
+
+CableModel withSofterObstacles(const CableModel& model, double share)
+{
+  CableModel softer = model;
+  std::vector<Obstacle> obstacles = model.environment().obstacles;
+  for (Obstacle& obstacle : obstacles)
+    obstacle.stiffness *= share;
+  softer.sea().setObstacles(obstacles);
+  return softer;
+}
+
+NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
+{
+  NodeField shape = freeShape(model, ends);
+  pushOut(model, shape);
+  return shape;
+}
+
 }  // namespace
 
 Statics::Statics(int nodes, const StaticsOptions& options)
@@ -96,6 +131,18 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
     return solve(calm, ends, shape);
   }
   NodeField found = startingShape(model, ends);
+  if (!model.environment().obstacles.empty())
+  {
+    // Where it would hang without obstacles tells on which side of them it lies.
+    CableModel open = model;
+    open.sea().setObstacles({});
+    NodeField hanging;
+    if (solve(open, ends, hanging).converged())
+    {
+      found = hanging;
+      pushOut(model, found);
+    }
+  }
   SolveReport report = solveFrom(model, ends, found);
   if (!report.converged())
   {
@@ -108,6 +155,13 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
     report.steps += first.steps + stiff.steps;
     report.rejected += first.rejected + stiff.rejected;
     report.iterations += first.iterations + stiff.iterations;
+  }
+  if (!report.converged() && !model.environment().obstacles.empty())
+  {
+    // Obstacles that come up softly push a tether that starts inside them aside.
+    found = startingShape(model, ends);
+    for (const double share : OBSTACLE_SHARES)
+      report = solveFrom(withSofterObstacles(model, share), ends, found);
   }
   if (report.converged())
     shape = found;
@@ -226,7 +280,7 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
   }
 }
 
-SolveReport settleContact(CableModel& model, CableState& state)
+SolveReport settleContact(const CableModel& model, CableState& state)
 {
   constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
   constexpr double STILL = 2e-3;                   // [m/s]
@@ -239,27 +293,83 @@ SolveReport settleContact(CableModel& model, CableState& state)
                                    [](const ContactSummary::Touch& touch) { return touch.total > 0.0; });
   if (!touches || state.v.front().head<3>().norm() > CREEP)
     return total;
-  Stepper stepper(model, StepperOptions());
-  const double time = state.time;
-  const std::vector<ObstacleMotion> obstacles = state.obstacles;
+
+  // The world holds its breath meanwhile: no waves, and obstacles stay where they are.
+  CableModel held = model;
+  held.sea().calm();
+  std::vector<Obstacle> obstacles = model.environment().obstacles;
+  for (Obstacle& obstacle : obstacles)
+    obstacle.mass = 0.0;
+  held.sea().setObstacles(obstacles);
+  const CableState start = state;
   for (ObstacleMotion& obstacle : state.obstacles)
     obstacle.velocity.setZero();
+  Stepper stepper(held, StepperOptions());
   EndPaths rest;
-  rest.vessel = EndPath::uniform(time, {state.q.front().head<3>(), Vector3::Zero()});
-  rest.vehicle = EndPath::uniform(time, {state.q.back().head<3>(), Vector3::Zero()});
+  rest.vessel = EndPath::uniform(start.time, {state.q.front().head<3>(), Vector3::Zero()});
+  rest.vehicle = EndPath::uniform(start.time, {state.q.back().head<3>(), Vector3::Zero()});
   for (double t = STRETCH; t <= LONGEST; t += STRETCH)
   {
-    total = stepper.advance(model, rest, time + t, state);
+    total = stepper.advance(held, rest, start.time + t, state);
     double fastest = 0.0;
     for (const NodeCoords& v : state.v)
       fastest = std::max(fastest, v.head<3>().norm());
     if (!total.converged() || fastest < STILL)
       break;
   }
-  state.time = state.contact.time = time;
-  state.obstacles = obstacles;
-  for (std::size_t k = 0; k < obstacles.size(); ++k)
-    state.contact.obstacle_position[k] = obstacles[k].position;
+  state.time = state.contact.time = start.time;
+  state.obstacles = start.obstacles;
+  state.step = 0.0;
+  for (NodeField* rate : {&state.v, &state.a, &state.aux})
+    for (NodeCoords& x : *rate)
+      x.setZero();
+  return total;
+}
+
+SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
+{
+  constexpr double STRETCH = 5.0, LONGEST = 150.0;  // [s]
+  constexpr double STILL = 0.02, SLOW = 0.1;        // [m/s]
+  CableModel calm = model;
+  calm.sea().calm();
+  std::vector<Obstacle> obstacles = model.environment().obstacles;
+  for (Obstacle& obstacle : obstacles)
+    obstacle.mass = 0.0;
+  calm.sea().setObstacles(obstacles);
+  CableState state(0.0, startingShape(calm, ends), ends.velocity);
+  state.q.front().head<3>() = ends.vessel;
+  if (!model.bodies().vehicle)
+    state.q.back().head<3>() = ends.vehicle;
+  beginContact(calm, state);
+  StepperOptions options;
+  options.step = 0.1;
+  options.spectral_radius = 0.0;
+  Stepper stepper(calm, options);
+  EndPaths paths;
+  paths.vessel = EndPath::uniform(0.0, {ends.vessel, ends.velocity});
+  paths.vehicle = EndPath::uniform(0.0, {ends.vehicle, ends.velocity});
+  SolveReport total;
+  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
+  {
+    const SolveReport report = stepper.advance(calm, paths, t, state);
+    total.steps += report.steps;
+    total.rejected += report.rejected;
+    total.iterations += report.iterations;
+    total.status = report.status;
+    if (!report.converged())
+      return total;
+    double fastest = 0.0;
+    for (const NodeCoords& v : state.v)
+      fastest = std::max(fastest, (v.head<3>() - ends.velocity).norm());
+    if (fastest < STILL || (fastest < SLOW && t + STRETCH > LONGEST))
+    {
+      shape = state.q;
+      for (NodeCoords& node : shape)
+        node.head<3>() -= t * ends.velocity;
+      return total;
+    }
+  }
+  total.status = SolveStatus::NOT_CONVERGED;
   return total;
 }
 

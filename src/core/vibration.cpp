@@ -10,6 +10,7 @@ namespace tether_monitor::core
 namespace
 {
 constexpr double LOCK_IN = 0.75;           // of the first natural frequency
+constexpr double LEAST_FLOW = 0.05;        // across the tether [m/s]
 constexpr double SHORTEST_HALF_WAVE = 20;  // diameters
 
 struct Piece

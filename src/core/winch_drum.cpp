@@ -69,7 +69,7 @@ std::vector<std::string> problems(const WinchProperties& drum, double tether_dia
   const double capacity = length > 0.0 ? WinchDrum(drum, tether_diameter).capacity() : 0.0;
   if (length > capacity)
     found.push_back("tether.length = " + formatNumber(length) + " (must be at most what the winch holds, " +
-                    formatNumber(capacity) + " m)");
+                    formatNumber(std::floor(100.0 * capacity) / 100.0) + " m)");
   return found;
 }
 

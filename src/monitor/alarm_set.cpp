@@ -14,7 +14,7 @@ AlarmSet::AlarmSet(const Config& config)
 {
   AlarmConfig bend = config.alarms.bend_radius;
   if (!bend.limit)
-    bend.limit = config.tether.min_bend_radius;
+    bend.limit = core::bendLimit(config.tether, config.fittings);
   AlarmConfig stale = config.alarms.stale_input;
   if (!stale.limit)
     stale.limit = config.pose_timeout;
@@ -62,8 +62,8 @@ bool AlarmSet::update(const TetherEstimate& e)
         s = e.min_tension_s;
         break;
       case Quantity::BEND_RADIUS:
-        value = e.min_bend_radius;
-        s = e.min_bend_radius_s;
+        value = e.tightest_bend;
+        s = e.tightest_bend_s;
         break;
       case Quantity::AGE:
         value = std::max(e.vessel_age, e.vehicle_age);

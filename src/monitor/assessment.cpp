@@ -47,6 +47,20 @@ void summarise(const core::CableModel& model, TetherEstimate& e)
         e.working_utilisation_s = at.s[k];
       }
     }
+  const double reference = model.bendLimit().value_or(1.0);
+  e.tightest_bend = std::numeric_limits<double>::infinity();
+  e.tightest_bend_s = e.min_bend_radius_s;
+  for (int i = 0; i < model.elements(); ++i)
+    for (int k = 2 * i; k <= 2 * i + 2; ++k)
+    {
+      const double scaled =
+          at.bend_radius[k] * reference / model.propertiesOf(i).min_bend_radius.value_or(reference);
+      if (scaled < e.tightest_bend)
+      {
+        e.tightest_bend = scaled;
+        e.tightest_bend_s = at.s[k];
+      }
+    }
   e.vessel_end_angle = angleBelow(at.vessel_direction);
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
@@ -79,9 +93,10 @@ Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
     if (-e.stations.position[2 * i + 1].z() * model.element(i).compression > LARGEST_COMPRESSION)
       return Reason::OUT_OF_RANGE;
   const auto [least, most] = std::minmax_element(e.stations.strain.begin(), e.stations.strain.end());
-  if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN || *least < -LARGEST_STRAIN)
+  if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN)
     return Reason::OUT_OF_RANGE;
-  return e.stations.largest_turn > LARGEST_TURN ? Reason::MESH_COARSE : Reason::NONE;
+  const bool is_crumpled = *least < -LARGEST_STRAIN;  // no tether bears that push: a kink that the mesh rounds off
+  return is_crumpled || e.stations.largest_turn > LARGEST_TURN ? Reason::MESH_COARSE : Reason::NONE;
 }
 
 void invalidate(Reason reason, TetherEstimate& e)
@@ -94,7 +109,7 @@ void invalidate(Reason reason, TetherEstimate& e)
   e.working_utilisation_s = NONE;
   e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
   e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
-  e.seabed_contact_length = e.touchdown_s = NONE;
+  e.seabed_contact_length = e.touchdown_s = e.tightest_bend = e.tightest_bend_s = NONE;
   e.has_vehicle = false;
   for (core::ContactSummary::Touch& touch : e.contact.obstacles)
     touch = core::ContactSummary::Touch();

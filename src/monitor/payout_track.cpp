@@ -8,16 +8,26 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double FADING = 2.5;        // rate of fading times the interval of the reports [-]
-constexpr double LONGEST_FADE = 1.0;  // [s]
+constexpr double FADING = 2.5;          // rate of fading times the interval of the reports [-]
+constexpr double SHORTEST_SLOPE = 0.1;  // [s]
+constexpr double LONGEST_FADE = 1.0;    // [s]
 }  // namespace
+
+// Slope from a report that is old enough for its rounding not to matter.
+double PayoutTrack::slopeTo(double t, double length) const
+{
+  for (std::size_t i = count_; i-- > 0;)
+    if (t - reports_[i].t >= SHORTEST_SLOPE)
+      return (length - reports_[i].length) / (t - reports_[i].t);
+  return count_ > 0 ? last().rate : 0.0;
+}
 
 bool PayoutTrack::add(double t, double length, double rate)
 {
   if (count_ > 0 && !(t > last().t))
     return false;
   if (std::isnan(rate))
-    rate = count_ > 0 ? (length - last().length) / (t - last().t) : 0.0;
+    rate = slopeTo(t, length);
   if (count_ == CAPACITY)
   {
     std::move(reports_.begin() + 1, reports_.end(), reports_.begin());

@@ -12,6 +12,7 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double SETTLING_RETRY = 1.0;  // [s] between attempts to find a steady state
+constexpr double ABSURD = 10.0;         // breaking loads: no tether carries that, something told is wrong
 constexpr double FASTEST_WINCH = 4.5;   // [m/s]; faster is no pay-out but a leap of the report
 constexpr int STRUMMING_PASSES = 4;
 constexpr double STRUMMING_PERIOD = 1.0;  // [s] of model time between looks at strumming
@@ -22,15 +23,22 @@ const Config& checked(const Config& config)
   return config;
 }
 
-void shift(double by, core::CableFittings& fittings)
+// What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel; what
+// has come aboard is left out.
+core::CableFittings shifted(double by, core::CableFittings fittings)
 {
   for (core::CableSection& section : fittings.sections)
   {
-    section.from = section.from == 0.0 ? 0.0 : section.from + by;
+    section.from = section.from == 0.0 ? 0.0 : std::max(section.from + by, 0.0);
     section.to += by;
   }
   for (core::Attachment& attachment : fittings.attachments)
     attachment.s += by;
+  const auto drop = [](auto& list, const auto& is_aboard)
+  { list.erase(std::remove_if(list.begin(), list.end(), is_aboard), list.end()); };
+  drop(fittings.sections, [](const core::CableSection& section) { return section.to <= 0.0; });
+  drop(fittings.attachments, [](const core::Attachment& attachment) { return attachment.s <= 0.0; });
+  return fittings;
 }
 
 core::CableModel modelOf(const Config& config)
@@ -58,6 +66,9 @@ TetherEstimator::TetherEstimator(const Config& config)
     statics_(model_.nodes()),
     alarms_(config),
     strumming_at_(-std::numeric_limits<double>::infinity()),
+    obstacles_at_(std::numeric_limits<double>::quiet_NaN()),
+    winch_capacity_(config.winch ? core::WinchDrum(*config.winch, config.tether.diameter).capacity()
+                                 : std::numeric_limits<double>::infinity()),
     rejected_at_(-std::numeric_limits<double>::infinity())
 {
   estimate_.stations = core::StationField(config.elements);
@@ -69,9 +80,18 @@ void TetherEstimator::setCurrent(const core::CurrentProfile& current)
   model_.sea().setCurrent(current);
 }
 
+double TetherEstimator::thrustAge(double t) const
+{
+  return std::isnan(thrust_at_) ? 0.0 : std::max(t - thrust_at_, 0.0);
+}
+
 bool TetherEstimator::setDepth(double depth)
 {
-  if (!model_.sea().hasSeabed() || !std::isfinite(depth) || depth <= 0.0)
+  core::Environment changed = model_.environment();
+  if (!changed.seabed)
+    return false;
+  changed.seabed->depth = depth;
+  if (!core::problems(changed).empty())
     return false;
   model_.sea().setDepth(depth);
   return true;
@@ -96,6 +116,7 @@ std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vect
                                              [](const core::Obstacle& a, const core::Obstacle& b)
                                              { return a.name == b.name && (a.mass > 0.0) == (b.mass > 0.0); });
   model_.sea().setObstacles(now);
+  obstacles_at_ = settled_ ? state_.time : t;
   if (same && settled_)
   {
     // The tether keeps its grip: only the surfaces move.
@@ -117,15 +138,15 @@ bool TetherEstimator::isPossibleLength(double length) const
 {
   if (!std::isfinite(length) || length <= 0.0)
     return false;
-  core::CableFittings fittings = config_.fittings;
-  shift(length - config_.tether.length, fittings);
+  const core::CableFittings fittings = shifted(length - config_.tether.length, config_.fittings);
   return core::problems(fittings, length).empty() &&
          core::elementCountProblems(config_.elements, length, fittings).empty();
 }
 
 bool TetherEstimator::addPayout(double t, double length, double rate)
 {
-  return isPossibleLength(length) && !std::isinf(rate) && payout_.add(t, length, rate);
+  const bool is_possible = (model_.canPayTo(length) || isPossibleLength(length)) && length <= winch_capacity_;
+  return is_possible && !(std::abs(rate) > FASTEST_WINCH) && payout_.add(t, length, rate);
 }
 
 // Another deployed length for a tether that is not in motion.
@@ -138,9 +159,8 @@ bool TetherEstimator::setLength(double length)
   }
   if (!isPossibleLength(length))
     return false;
-  // What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel.
   Config changed = config_;
-  shift(length - config_.tether.length, changed.fittings);
+  changed.fittings = shifted(length - config_.tether.length, config_.fittings);
   changed.tether.length = length;
   const core::Sea sea = model_.sea();
   model_ = modelOf(changed);
@@ -155,6 +175,8 @@ void TetherEstimator::reset()
   vessel_follower_.reset();
   vehicle_follower_.reset();
   payout_.clear();
+  setThrust(TetherEstimate::NONE, core::Wrench());
+  invalidate(Reason::NO_INPUT, estimate_);
   settled_ = announced_settling_ = started_ = false;
   rejected_at_ = -std::numeric_limits<double>::infinity();
   alarms_.restartClocks();
@@ -172,7 +194,11 @@ EndTargets TetherEstimator::targetsAt(double t)
   EndTargets targets;
   targets.vessel = targetOf(vessel_, config_.vessel, t, vessel_follower_);
   targets.vessel_age = vessel_.age(t);
-  if (!isVehicleFree())
+  if (isVehicleFree())
+  {
+    targets.vehicle_age = thrustAge(t);
+  }
+  else
   {
     targets.vehicle = targetOf(vehicle_, config_.vehicle, t, vehicle_follower_);
     targets.vehicle_age = vehicle_.age(t);
@@ -197,7 +223,7 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 void TetherEstimator::lookAtAges(double t)
 {
   estimate_.vessel_age = vessel_.age(t);
-  estimate_.vehicle_age = isVehicleFree() ? 0.0 : vehicle_.age(t);
+  estimate_.vehicle_age = isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
   estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
@@ -239,11 +265,30 @@ const TetherEstimate& TetherEstimator::tick(double t)
   return begin(t, targetsAt(t));
 }
 
+// Takes the obstacles of the model to time t: those that are pushed from where they were last, the others on their
+// way.
+void TetherEstimator::moveObstacles(double t, const core::Vector3& origin)
+{
+  std::vector<core::Obstacle> obstacles = model_.environment().obstacles;
+  const bool were_stepped = state_.obstacles.size() == obstacles.size() && state_.time >= obstacles_at_;
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+  {
+    if (were_stepped && obstacles[k].mass > 0.0)
+      obstacles[k].position = state_.obstacles[k].position + origin;
+    else if (std::isfinite(obstacles_at_))
+      obstacles[k].position += (t - obstacles_at_) * obstacles[k].velocity;
+  }
+  obstacles_at_ = t;
+  model_.sea().setObstacles(obstacles);
+}
+
 bool TetherEstimator::settle(double t, const EndTargets& ends)
 {
+  const core::Vector3 old_origin = origin_;
   origin_ = {ends.vessel.position.x(), ends.vessel.position.y(), 0.0};
   const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_,
                                 ends.vessel.velocity};
+  moveObstacles(t, old_origin);
   model_.sea().setOrigin(origin_);
   settled_ = false;
   retry_settling_at_ = t + SETTLING_RETRY;
@@ -253,7 +298,14 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
   core::NodeField shape;
   last_solve_ = statics_.solve(model_, steady, shape);
   if (!last_solve_.converged())
-    return false;
+  {
+    // As the paper does it: let it move until it is steady.
+    const core::SolveReport moved = core::settleByMotion(model_, steady, shape);
+    last_solve_.iterations += moved.iterations;
+    if (!moved.converged())
+      return false;
+    last_solve_.status = moved.status;
+  }
   state_ = core::CableState(t, shape, ends.vessel.velocity);
   if (config_.drag_amplification > 1.0)
   {
@@ -270,7 +322,7 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
   last_solve_ = core::settleContact(model_, state_);
   if (!last_solve_.converged())
     return false;
-  payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
+  payout_rate_ = ends.payout && std::abs(ends.payout->rate) <= FASTEST_WINCH ? ends.payout->rate : 0.0;
   strumming_at_ = -std::numeric_limits<double>::infinity();
   settled_ = true;
   return true;
@@ -313,10 +365,12 @@ const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
     if (ends.payout)
     {
       const double mean = (ends.payout->length - model_.length()) / (t - state_.time);
-      if (std::abs(mean) > FASTEST_WINCH || !model_.canPayTo(ends.payout->length))
+      if (std::abs(mean) > FASTEST_WINCH || std::abs(ends.payout->rate) > FASTEST_WINCH ||
+          !model_.canPayTo(ends.payout->length))
       {
         announced_settling_ = true;
         retry_settling_at_ = t;
+        noteRejectedInput(t);  // what follows is a steady state, not a motion
         return refuse(t, Reason::SETTLING);
       }
       paths.payout = core::PayoutPath::between(state_.time, {model_.length(), payout_rate_, 0.0}, t, *ends.payout);
@@ -374,6 +428,8 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
     return refuse(state_.time, Reason::NOT_CONVERGED);
+  if (estimate_.breaking_utilisation > ABSURD)
+    return refuse(state_.time, Reason::OUT_OF_RANGE);
   estimate_.reason = degradation(ends);
   estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;
   alarms_changed_ = alarms_.update(estimate_);

@@ -12,7 +12,7 @@ constexpr double NEAR = 0.15;  // relative distance of frequencies that resonate
 VibrationReport reportVibration(const TetherEstimator& estimator, int modes)
 {
   VibrationReport report;
-  if (!estimator.estimate().has_stations)
+  if (!estimator.estimate().has_stations || !estimator.isSettled())
     return report;
   const core::CableState& state = estimator.state();
   report.strumming = estimator.strumming();

@@ -145,6 +145,8 @@ core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether
     section.to = entry.number("to");
     section.properties = tether;
     loadProperties(entry, &tether, section.properties);
+    if (entry.has("min_bend_radius"))
+      section.properties.min_bend_radius = entry.optionalNumber("min_bend_radius");
     entry.finish();
     fittings.sections.push_back(section);
   }
@@ -208,7 +210,14 @@ void loadVehicle(Reader in, monitor::Config& config)
     config.vehicle_mode = monitor::VehicleMode::FREE;
     config.vehicle_body = loadRigidBody(in);
   }
-  else if (mode != "tracked")
+  else if (mode == "tracked")
+  {
+    // A file that was written for a free vehicle stays good.
+    for (const char* key : {"mass", "volume", "inertia", "drag_area", "added_mass", "added_inertia",
+                            "rotational_drag", "center_of_buoyancy", "force"})
+      in.ignore(key);
+  }
+  else
   {
     in.report({"vehicle.mode = '" + mode + "' (must be tracked or free)"});
   }

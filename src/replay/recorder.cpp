@@ -70,6 +70,8 @@ void Recorder::write(const monitor::TetherEstimator& estimator)
   const monitor::TetherEstimate& e = estimator.estimate();
   ends_.write(e);
   ++status_count_[static_cast<int>(e.status)];
+  if (e.reason != monitor::Reason::NONE)
+    ++reason_count_[describe(e.reason)];
   const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
   if (!contacts_ && !obstacles.empty())
     contacts_ = std::make_unique<ContactsFile>(folder_);
@@ -97,6 +99,9 @@ void Recorder::finish(const monitor::TetherEstimator& estimator)
   summary["max_tension_s"] = orNull(max_tension_s_);
   for (const monitor::Status status : {monitor::Status::OK, monitor::Status::DEGRADED, monitor::Status::INVALID})
     summary["status"][describe(status)] = status_count_[static_cast<int>(status)];
+  summary["reason"] = nlohmann::json::object();
+  for (const auto& [reason, count] : reason_count_)
+    summary["reason"][reason] = count;
   std::ofstream out(folder_ + "/summary.json");
   out << summary.dump(2) << "\n";
   out.close();

@@ -38,7 +38,7 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
     if (motion.hasCurrent())
       estimator.setCurrent(core::CurrentProfile(motion.current(t)));
     if (motion.hasThrust())
-      estimator.setThrust({motion.thrust(t), core::Vector3::Zero()});
+      estimator.setThrust(t, {motion.thrust(t), core::Vector3::Zero()});
   };
   for (std::size_t i = 0; i < times.size(); ++i)
   {

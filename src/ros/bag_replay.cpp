@@ -292,6 +292,7 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   const TimeBase base(free_vehicle ? vessel.first : std::min(vessel.first, vehicle.first));
   MeasurementIntake intake(estimator, recording.transforms);
   intake.setTimeBase(base);
+  estimator.setEpoch(base.epoch());
 
   // Start when both bodies are known.
   for (const Stream body : bodiesNeeded(free_vehicle))

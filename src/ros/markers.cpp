@@ -16,7 +16,8 @@ using visualization_msgs::Marker;
 constexpr double LINE_WIDTH = 0.006;
 constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
 constexpr double TEXT_HEIGHT = 0.04;
-constexpr int SEABED_CELLS = 16;  // along each side of the patch
+constexpr double OBSTACLE_LIFETIME = 2.0;  // [s]
+constexpr int SEABED_CELLS = 16;           // along each side of the patch
 
 std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1.0)
 {
@@ -121,6 +122,7 @@ Marker obstacleBody(const std_msgs::Header& header, int k, const monitor::Tether
   const core::Obstacle& obstacle = estimator.model().environment().obstacles[k];
   const bool is_stepped = estimator.estimate().has_stations;
   Marker m = blank(header, "obstacle", k, Marker::CUBE);
+  m.lifetime = ros::Duration(OBSTACLE_LIFETIME);  // one that is gone fades by itself
   m.pose.position =
       pointMessage(is_stepped ? core::Vector3(estimator.state().obstacles[k].position + estimator.origin())
                               : obstacle.position);

@@ -144,8 +144,10 @@ std::string MeasurementIntake::takeLength(double t, double length, double rate)
   const monitor::Config& config = estimator_.config();
   if (!config.fittings.sections.empty() || !config.fittings.attachments.empty())
     return "length = " + std::to_string(length) +
-           " (must be > 0 m, leave sections and attachments outside, and be later than the last)";
-  return "length = " + std::to_string(length) + " (must be > 0 m, and later than the last)";
+           " (must be > 0 m, leave sections and attachments outside, change by 4.5 m/s at most, and be later than "
+           "the last)";
+  return "length = " + std::to_string(length) +
+         " (must be > 0 m, change by 4.5 m/s at most, and be later than the last)";
 }
 
 std::string MeasurementIntake::takeTurns(const std_msgs::Float64& message, const ros::Time& now)
@@ -166,7 +168,7 @@ std::string MeasurementIntake::takeDepth(const std_msgs::Float64& message, const
   if (!estimator_.model().sea().hasSeabed())
     return refused("a depth without environment.seabed in the parameters", now);
   if (!estimator_.setDepth(message.data))
-    return refused("depth = " + std::to_string(message.data) + " (must be > 0 m)", now);
+    return refused("depth = " + std::to_string(message.data) + " (must be > 0 m and deeper than the waves)", now);
   return "";
 }
 
@@ -182,7 +184,7 @@ std::string MeasurementIntake::take(const geometry_msgs::WrenchStamped& message,
   else if (why.empty() && !(thrust.force.allFinite() && thrust.torque.allFinite()))
     why = describe(monitor::Rejection::NOT_FINITE);
   if (why.empty())
-    estimator_.setThrust(thrust);
+    estimator_.setThrust(time_.seconds(message.header.stamp), thrust);
   return refused(why, now);
 }
 

@@ -121,6 +121,7 @@ void TetherMonitorRos::ensureTimeBase(const ros::Time& now)
   has_time_base_ = true;
   time_ = TimeBase(now);
   intake_.setTimeBase(time_);
+  estimator_.setEpoch(time_.epoch());
 }
 
 void TetherMonitorRos::tick()

@@ -83,8 +83,7 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
   if (plan_.clock)
   {
     clock_ = nh_.advertise<rosgraph_msgs::Clock>("/clock", QUEUE);
-    start_ = ros::Time(1.0);
-    started_ = true;
+    begin(ros::Time(1.0));
     wall_timer_ = nh_.createWallTimer(ros::WallDuration(period_ / plan_.speed),
                                       [this](const ros::WallTimerEvent&) { tick(); });
   }
@@ -96,14 +95,22 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
            config_.tether.length);
 }
 
+void TetherSimRos::begin(const ros::Time& now)
+{
+  start_ = now;
+  started_ = true;
+  simulator_.setEpoch(now.toSec());
+}
+
 void TetherSimRos::tick()
 {
   if (!running_)
     return;
   if (!started_)
   {
-    start_ = ros::Time::now();
-    started_ = !start_.isZero();
+    const ros::Time now = ros::Time::now();
+    if (!now.isZero())
+      begin(now);
     return;
   }
   // The timer may skip or bunch ticks; the simulation keeps its own even pace.

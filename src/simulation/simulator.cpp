@@ -133,7 +133,10 @@ bool Simulator::advance(double t)
       if (model_.canPayTo(path.at(state_.time + dt).length))
         drive.payout = path;
       else
+      {
         winch_rate_ = 0.0;
+        drive.payout = core::PayoutPath::constant(model_.length());
+      }
     }
     if (!stepper_->advance(model_, drive, state_.time + dt, state_).converged())
       return false;

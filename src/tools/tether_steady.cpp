@@ -1,10 +1,13 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
+#include "tether_monitor/core/bounds.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/replay/output_files.h"
 #include "tether_monitor/replay/steady_state.h"
+#include "tether_monitor/ros/diagnostics.h"
 
 namespace
 {
@@ -37,9 +40,9 @@ void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& ar
 {
   const tether_monitor::monitor::TetherEstimate& estimate = steady.estimate;
   std::cout << describe(estimate.status) << " "
-            << (estimate.reason == tether_monitor::monitor::Reason::NONE ? "" : describe(estimate.reason))
-            << "\ntension at the vessel end " << estimate.vessel_tension << " N, at the vehicle end "
-            << estimate.vehicle_tension << " N, largest " << estimate.max_tension
+            << (estimate.reason == tether_monitor::monitor::Reason::NONE ? "" : describe(estimate.reason)) << " "
+            << tether_monitor::advice(estimate.reason) << "\ntension at the vessel end " << estimate.vessel_tension
+            << " N, at the vehicle end " << estimate.vehicle_tension << " N, largest " << estimate.max_tension
             << " N at s = " << estimate.max_tension_s << " m\n";
   if (estimate.seabed_contact_length > 0.0)
     std::cout << estimate.seabed_contact_length << " m lie on the seabed, from s = " << estimate.touchdown_s
@@ -56,6 +59,29 @@ void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& ar
             << arguments.out << "\n";
 }
 
+// An end of the tether must be in the water or the air.
+void checkPlace(const tether_monitor::monitor::Config& config, const std::string& end, const Vector3& place)
+{
+  namespace core = tether_monitor::core;
+  const auto refuse = [&](double depth, const std::string& where)
+  {
+    throw std::runtime_error("the " + end + " end of the tether lies " +
+                             core::formatNumber(std::round(1e3 * depth) / 1e3) + " m " + where);
+  };
+  if (config.environment.seabed)
+  {
+    const double below = config.environment.seabed->at(place.x(), place.y()).z - place.z();
+    if (below > 0.0)
+      refuse(below, "below the seabed");
+  }
+  for (const core::Obstacle& obstacle : config.environment.obstacles)
+  {
+    const double inside = -core::separation(obstacle, place - obstacle.position).distance;
+    if (inside > 0.0)
+      refuse(inside, "inside the obstacle '" + obstacle.name + "'");
+  }
+}
+
 int findSteadyState(const Arguments& arguments)
 {
   using namespace tether_monitor;
@@ -68,6 +94,9 @@ int findSteadyState(const Arguments& arguments)
   const Vector3 velocity = parseVector("--vessel-velocity", arguments.vessel_velocity);
   const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position);
   const Vector3 vehicle = is_free ? vessel : parseVector("--vehicle-position", arguments.vehicle_position);
+  checkPlace(config, "vessel", vessel + config.vessel.attachment);
+  if (!is_free)
+    checkPlace(config, "vehicle", vehicle + config.vehicle.attachment);
   replay::makeFolder(arguments.out);
 
   if (config.environment.waves.amplitude > 0.0 && !arguments.quiet)

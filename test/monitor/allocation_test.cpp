@@ -58,11 +58,57 @@ TEST(Allocation, ATickTakesNothingFromTheHeapAfterTheStart)
 {
   Feeder feeder;
   ASSERT_EQ(feeder.run(2.0).status, Status::OK) << "precondition";
-  feeder.vehicle_velocity = {0.5, 0.3, -0.2};  // taut, alarms and all
+  feeder.vehicle_velocity = {0.15, 0.1, -0.1};  // taut, alarms and all
   const long before = allocations;
   feeder.run(60.0);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_TRUE(feeder.estimator.overTension()) << "it did something";
+}
+
+TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)
+{
+  Config config = testConfig();
+  config.elements = 60;
+  config.vehicle_mode = VehicleMode::FREE;
+  config.vehicle_body.mass = 150.0;
+  config.vehicle_body.volume = 0.1;
+  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
+  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  config.drag_amplification = 1.5;
+  config.environment.waves = {0.5, 60.0, 0.0, 0.0};
+  config.environment.wind = {5.0, 0.0, 0.0};
+  config.environment.seabed = core::Seabed();
+  config.environment.seabed->depth = 80.0;
+  core::Obstacle pile, buoy;
+  pile.shape = core::ObstacleShape::CYLINDER;
+  pile.size = {0.5, 200.0, 0.0};
+  pile.position = {0.0, -0.5, -40.0};
+  pile.friction = 0.3;
+  buoy.size = {1.0, 0.0, 0.0};
+  buoy.position = {-1.0, 0.0, -60.0};
+  buoy.mass = 50.0;
+  config.environment.obstacles = {pile, buoy};
+  Feeder feeder(config);
+  feeder.vehicle_alive = false;
+  double length = 100.0;
+  const auto pay = [&](double duration, double rate)
+  {
+    for (int k = 0; k < static_cast<int>(std::round(duration / 0.1)); ++k)
+    {
+      length += 0.1 * rate;
+      feeder.estimator.addPayout(feeder.t + 0.1, length, rate);
+      feeder.run(0.1);
+    }
+  };
+  pay(1.0, 0.0);
+  const TetherEstimate& e = feeder.estimator.estimate();
+  ASSERT_NE(e.status, Status::INVALID) << describe(e.reason);
+  const long before = allocations;
+  pay(10.0, 0.02);
+  EXPECT_EQ(allocations - before, 0);
+  ASSERT_NE(e.status, Status::INVALID) << describe(e.reason);
+  EXPECT_GT(e.seabed_contact_length, 0.0) << "precondition: it lies";
+  EXPECT_GT(e.contact.obstacles[0].total, 0.0) << "precondition: it leans on the pile";
 }
 
 }  // namespace tether_monitor::monitor

@@ -42,8 +42,12 @@ TEST(FreeVehicle, ThrustMovesIt)
   feeder.vehicle_alive = false;
   feeder.run(2.0);
   const double before = feeder.estimator.estimate().vehicle.position.y();
-  feeder.estimator.setThrust({core::Vector3(0.0, 200.0, 0.0), core::Vector3::Zero()});
-  const TetherEstimate& e = feeder.run(20.0);
+  const TetherEstimate& e = feeder.estimator.estimate();
+  for (int k = 0; k < 200; ++k)
+  {
+    feeder.estimator.setThrust(feeder.t, {core::Vector3(0.0, 200.0, 0.0), core::Vector3::Zero()});
+    feeder.run(0.1);
+  }
   EXPECT_EQ(e.status, Status::OK);
   EXPECT_GT(e.vehicle.position.y() - before, 1.0);
 }
@@ -106,6 +110,78 @@ TEST(Surroundings, DepthAndObstaclesCanChangeLive)
   EXPECT_LT(touch.force.y(), 0.0) << "the tether holds against it";
   EXPECT_NEAR(touch.place.y(), -0.7 + 2.0 + 0.5, 0.1);
   EXPECT_NEAR(touch.place.x(), 10.0, 0.6);
+}
+
+TEST(FreeVehicle, ThrustThatStopsIsStaleAndResetForgetsIt)
+{
+  Feeder feeder(towedFish());
+  feeder.vehicle_alive = false;
+  feeder.run(1.0);
+  feeder.estimator.setThrust(feeder.t, {core::Vector3(0.0, 50.0, 0.0), core::Vector3::Zero()});
+  EXPECT_EQ(feeder.run(0.8).status, Status::OK);
+  EXPECT_EQ(feeder.run(1.0).reason, Reason::VEHICLE_STALE);
+  EXPECT_EQ(feeder.run(4.5).status, Status::INVALID);
+  feeder.estimator.reset();
+  EXPECT_EQ(feeder.estimator.estimate().status, Status::INVALID) << "at once";
+  EXPECT_EQ(feeder.run(2.0).status, Status::OK);
+  EXPECT_NEAR(feeder.estimator.estimate().vehicle.velocity.y(), 0.0, 0.02) << "thrust was along y";
+}
+
+TEST(Surroundings, AnObstacleKeepsItsWayThroughASilence)
+{
+  Config config = testConfig();
+  core::Obstacle ship;
+  ship.name = "ship";
+  ship.size = {1.0, 0.0, 0.0};
+  ship.position = {0.0, 50.0, -10.0};
+  ship.velocity = {1.0, 0.0, 0.0};
+  config.environment.obstacles = {ship};
+  Feeder feeder(config);
+  feeder.run(2.0);
+  const double start = feeder.estimator.state().obstacles[0].position.x() + feeder.estimator.origin().x();
+  feeder.vehicle_alive = false;
+  ASSERT_EQ(feeder.run(8.0).status, Status::INVALID) << "precondition";
+  feeder.vehicle_alive = true;
+  ASSERT_EQ(feeder.run(2.0).status, Status::OK) << "precondition";
+  EXPECT_NEAR(feeder.estimator.state().obstacles[0].position.x() + feeder.estimator.origin().x(), start + 10.0,
+              1e-6);
+}
+
+TEST(Surroundings, SettlingMovesNoObstacleThatTheTetherPushes)
+{
+  Config config = testConfig();
+  core::Obstacle buoy;
+  buoy.size = {2.5, 0.0, 0.0};
+  buoy.position = {30.0, 0.0, -48.0};
+  double tension[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    buoy.mass = k * 50.0;
+    config.environment.obstacles = {buoy};
+    TetherEstimator estimator(config);
+    EndTargets ends;
+    ends.vessel.position = {0.0, 0.0, -10.0};
+    ends.vehicle.position = {60.0, 0.0, -10.0};
+    ASSERT_TRUE(estimator.begin(0.0, ends).has_stations);
+    tension[k] = estimator.estimate().max_tension;
+  }
+  EXPECT_NEAR(tension[1], tension[0], 1e-3 * tension[0]);
+}
+
+TEST(BendLimit, OfASectionIsItsOwn)
+{
+  Config config = testConfig();
+  config.tether.min_bend_radius = 0.3;
+  core::CableSection stiff;
+  stiff.from = 0.0;
+  stiff.to = 100.0;
+  stiff.properties = config.tether;
+  stiff.properties.min_bend_radius = 30.0;
+  config.fittings.sections = {stiff};
+  Feeder feeder(config);
+  feeder.vehicle = {30.0, 0.0, -10.0};  // hangs in a wide bight
+  const TetherEstimate& e = feeder.run(2.0);
+  EXPECT_NEAR(e.tightest_bend, e.min_bend_radius / 100.0, 1e-9);
 }
 
 TEST(Strumming, AmplifiesDragAndTiltsTheTether)

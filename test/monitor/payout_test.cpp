@@ -89,6 +89,7 @@ TEST(Payout, BadReportsChangeNothing)
   EXPECT_FALSE(feeder.estimator.addPayout(feeder.t, -3.0));
   EXPECT_FALSE(feeder.estimator.addPayout(feeder.t, NAN));
   EXPECT_FALSE(feeder.estimator.addPayout(feeder.t, 100.0, INFINITY));
+  EXPECT_FALSE(feeder.estimator.addPayout(feeder.t, 100.0, 200.0)) << "no winch is so fast";
   EXPECT_EQ(feeder.run(0.2).length, 100.0);
   EXPECT_TRUE(std::isnan(feeder.estimator.estimate().payout_rate)) << "nothing tells it";
 }
@@ -100,8 +101,14 @@ TEST(Payout, ALeapLetsTheTetherSettleAnewAndSaysSo)
   ASSERT_TRUE(feeder.estimator.addPayout(feeder.t, 130.0, 0.0));
   feeder.run(0.05);
   EXPECT_EQ(feeder.estimator.estimate().reason, Reason::SETTLING);
-  EXPECT_EQ(feeder.run(0.1).status, Status::OK);
+  EXPECT_EQ(feeder.run(0.1).status, Status::DEGRADED) << "a steady state, not a motion";
   EXPECT_DOUBLE_EQ(feeder.estimator.estimate().length, 130.0);
+  for (int k = 0; k < 20; ++k)
+  {
+    feeder.estimator.addPayout(feeder.t + 0.1, 130.0, 0.0);
+    feeder.run(0.1);
+  }
+  EXPECT_EQ(feeder.estimator.estimate().status, Status::OK);
 }
 
 TEST(Payout, ASilentWinchDegradesAndInvalidates)

@@ -48,6 +48,8 @@ class AiryWave
    */
   AiryWave(const WaveProperties& waves, double gravity, double depth = DEEP);
 
+  /// Counts times from `epoch` [s] on.
+  void delay(double epoch);
   bool isCalm() const { return amplitude_ == 0.0; }
   double frequency() const { return frequency_; }   ///< w [rad/s], in a fixed frame.
   const Vector3& wavenumber() const { return k_; }  ///< k [rad/m], horizontal.

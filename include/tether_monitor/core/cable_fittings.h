@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ struct CableSection
 {
   double from = 0.0;           ///< s [m], 0 <= from < to.
   double to = 0.0;             ///< s [m], to <= length. Sections do not overlap.
-  CableProperties properties;  ///< complete; `length` and `min_bend_radius` are not used.
+  CableProperties properties;  ///< complete; `length` is not used.
 };
 
 /// A weight, float or buoy fixed to the tether: a point with weight, buoyancy, drag and inertia.
@@ -43,6 +44,10 @@ std::vector<std::string> problems(const CableFittings& fittings, double length);
  * @return  elements + 1 values from 0 to length; empty if there are fewer elements than pieces between fittings.
  */
 std::vector<double> meshNodes(double length, int elements, const CableFittings& fittings);
+
+/// Least allowed bend radius by which a tether is judged [m]: its own, else the smallest of its sections, if any
+/// has one.
+std::optional<double> bendLimit(const CableProperties& tether, const CableFittings& fittings);
 
 /// First section boundary or attachment from the vessel end, else the length [m]: up to there the mesh can grow
 /// when the tether is paid out.

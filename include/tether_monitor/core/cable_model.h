@@ -49,6 +49,8 @@ class CableModel
   const CableProperties& properties() const { return properties_; }
   /// Properties of element `i`: those of its section.
   const CableProperties& propertiesOf(int i) const { return kinds_[kind_[i]]; }
+  /// See core::bendLimit().
+  std::optional<double> bendLimit() const { return bend_limit_; }
   const std::vector<PointLoad>& pointLoads() const { return point_loads_; }
   const Environment& environment() const { return sea_.environment(); }
   const Sea& sea() const { return sea_; }
@@ -105,7 +107,9 @@ class CableModel
   std::vector<ElementParameters> elements_;
   std::vector<double> arc_length_;
   std::vector<double> growing_share_;  // of each growing element in the piece that grows
-  double fixed_length_ = 0.0;          // of the elements that do not grow [m]
+  std::optional<double> bend_limit_;
+  double built_length_ = 0.0;  // when the mesh was made [m]
+  double fixed_length_ = 0.0;  // of the elements that do not grow [m]
   void updateScales();
   double force_scale_ = 0.0;
   double mass_ = 0.0;

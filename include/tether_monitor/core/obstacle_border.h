@@ -46,7 +46,7 @@ class ObstacleBorder
   std::vector<Matrix3> diagonal_;
   std::vector<Vector3> residual_;
   Eigen::MatrixXd schur_;
-  Eigen::VectorXd solution_;
+  Eigen::VectorXd solution_, work_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 

@@ -41,6 +41,8 @@ class Sea
   void setObstacles(const std::vector<Obstacle>& obstacles) { environment_.obstacles = obstacles; }
   /// Depth of a seabed that there is already [m], > 0; a grid is dropped.
   void setDepth(double depth);
+  /// Times count from `epoch` [s] of the clock that the waves are told in. Default zero.
+  void setEpoch(double epoch);
   /// Takes the waves away, for steady states.
   void calm() { wave_ = AiryWave(); }
 
@@ -66,6 +68,7 @@ class Sea
   Environment environment_;
   AiryWave wave_;
   Vector3 origin_ = Vector3::Zero();
+  double epoch_ = 0.0;
   bool has_wind_;
 };
 

@@ -25,9 +25,10 @@ double sheddingFrequency(const CableModel& model, const CableState& state, int i
 /**
  * Which part of a tether strums.
  *
- * Model: (M27) of doc/model.md. A piece under water and in pull locks in where its shedding frequency is above
- * 0.75 of the first transverse natural frequency and half a wave of that frequency is at least 20 diameters long.
- * A long tether has a natural frequency near any other, so there is nearly always one to lock in with.
+ * Model: (M27) of doc/model.md. A piece under water, in pull and in a flow of 5 cm/s or more locks in where its
+ * shedding frequency is above 0.75 of the first transverse natural frequency and half a wave of that frequency is
+ * at least 20 diameters long. A long tether has a natural frequency near any other, so there is nearly always one
+ * to lock in with.
  *
  * @param factor  multiplies the normal drag of the elements that strum, and takes it off the others; 1: changes
  *                nothing.

@@ -19,7 +19,7 @@ class PayoutTrack
    * Takes a report at time t [s].
    *
    * @param length  [m]
-   * @param rate    [m/s]; NaN: the slope of the last two reports.
+   * @param rate    [m/s]; NaN: the slope from an earlier report, 0.1 s ago or more.
    * @return        false, and nothing changes, if t is not later than the last report.
    */
   bool add(double t, double length, double rate);
@@ -37,6 +37,7 @@ class PayoutTrack
     double t, length, rate;
   };
 
+  double slopeTo(double t, double length) const;
   core::PayoutMotion reported(double t) const;
   const Report& last() const { return reports_[count_ - 1]; }
 

@@ -60,6 +60,9 @@ struct TetherEstimate
   double breaking_utilisation = NONE;   ///< largest tension over the breaking load of its section [-].
   double min_bend_radius = NONE;        ///< [m]
   double min_bend_radius_s = NONE;      ///< [m]
+  double tightest_bend = NONE;    ///< least bend radius for the alarm [m]: where a section has a limit of its own,
+                                  ///< scaled to the limit of the whole tether.
+  double tightest_bend_s = NONE;  ///< where [m].
   double vessel_end_angle = NONE;       ///< of the tether below the horizontal at the vessel end [rad].
   double vehicle_end_angle = NONE;      ///< the same at the vehicle end [rad].
   double seabed_contact_length = NONE;  ///< unstretched length on the seabed [m]; 0 without a seabed.
@@ -68,8 +71,8 @@ struct TetherEstimate
   BodyState vehicle;                    ///< of a simulated vehicle's centre of mass; see has_vehicle.
   bool has_vehicle = false;             ///< in mode free, unless INVALID.
   double vessel_age = NONE;             ///< age of the last vessel pose [s].
-  double vehicle_age = NONE;            ///< age of the last vehicle pose [s]; 0 if the vehicle is simulated.
-  double payout_age = NONE;             ///< age of the last report of the winch [s]; NaN if nothing reports.
+  double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
+  double payout_age = NONE;   ///< age of the last report of the winch [s]; NaN if nothing reports.
 };
 
 }  // namespace tether_monitor::monitor

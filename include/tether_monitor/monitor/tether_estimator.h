@@ -60,7 +60,7 @@ class TetherEstimator
   /// Replaces the current profile, from the next step on.
   void setCurrent(const core::CurrentProfile& current);
   /// Replaces the depth of the sea [m], from the next step on. @return false, and nothing changes, if there is no
-  /// seabed in the configuration or the depth is not > 0.
+  /// seabed in the configuration or the depth cannot be.
   bool setDepth(double depth);
   /**
    * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the grip
@@ -68,8 +68,14 @@ class TetherEstimator
    * @return what is wrong with them, and nothing changes; empty if nothing is.
    */
   std::vector<std::string> setObstacles(double t, const std::vector<core::Obstacle>& obstacles);
-  /// Thrust on a simulated vehicle, until the next call.
-  void setThrust(const core::Wrench& thrust) { thrust_ = thrust; }
+  /// Thrust on a simulated vehicle at time t [s]; from the first on it ages like a pose.
+  void setThrust(double t, const core::Wrench& thrust)
+  {
+    thrust_at_ = t;
+    thrust_ = thrust;
+  }
+  /// Epoch of the clock that all times count from [s]: waves are those of the clock.
+  void setEpoch(double epoch) { model_.sea().setEpoch(epoch); }
   /**
    * Report of the winch at time t [s]: deployed length [m] and its rate [m/s] (NaN: not told). The tether is paid
    * out accordingly; a leap that no winch makes lets it settle anew, with one estimate that says so.
@@ -117,6 +123,8 @@ class TetherEstimator
   const TetherEstimate& refuse(double t, Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
+  double thrustAge(double t) const;
+  void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
   bool isPossibleLength(double length) const;
   void lookAtAges(double t);
@@ -133,6 +141,7 @@ class TetherEstimator
   EndFollower vessel_follower_, vehicle_follower_;
   PayoutTrack payout_;
   core::Wrench thrust_;
+  double thrust_at_ = TetherEstimate::NONE;
   AlarmSet alarms_;
 
   core::CableState state_;                        // relative to origin_
@@ -143,6 +152,8 @@ class TetherEstimator
   bool alarms_changed_ = false;
   double payout_rate_ = 0.0;  // of the model at its time [m/s]
   double strumming_at_;
+  double obstacles_at_;    // time of the places of the model's obstacles [s]; NaN: since ever
+  double winch_capacity_;  // [m]; infinite without a winch
   core::Strumming strumming_;
   double retry_settling_at_ = 0.0;
   double rejected_at_;

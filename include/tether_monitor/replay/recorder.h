@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "tether_monitor/replay/output_files.h"
@@ -47,6 +48,7 @@ class Recorder
   double max_tension_t_ = max_tension_;
   double max_tension_s_ = max_tension_;
   std::array<long, 3> status_count_{};
+  std::map<std::string, long> reason_count_;
 };
 
 }  // namespace tether_monitor::replay

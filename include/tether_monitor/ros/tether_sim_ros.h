@@ -34,6 +34,7 @@ class TetherSimRos
   bool isRunning() const { return running_; }
 
  private:
+  void begin(const ros::Time& now);
   void tick();
   void publishMeasurements(double t);
   void publishBody(const simulation::Measurement& measurement, const ros::Publisher& pose,

@@ -12,6 +12,8 @@ class TimeBase
   /// @param first  any time of the run; the epoch is the whole second before it.
   explicit TimeBase(const ros::Time& first) : epoch_(first.sec, 0) {}
 
+  /// The epoch [s] of ROS time.
+  double epoch() const { return epoch_.toSec(); }
   /// Seconds since the epoch; exact to a nanosecond within months of it.
   double seconds(const ros::Time& t) const { return (t - epoch_).toSec(); }
   /// The ROS time of `t` seconds since the epoch; times before 1970 become zero.

@@ -30,6 +30,9 @@ class Simulator
    */
   Simulator(const monitor::Config& config, const SimulationConfig& simulation);
 
+  /// Epoch of the clock that times count from [s]: waves are those of the clock. Before the first step.
+  void setEpoch(double epoch) { model_.sea().setEpoch(epoch); }
+
   /// Steps to time t [s], not before the last. @return false if the solver failed: the simulation has ended.
   bool advance(double t);
 
