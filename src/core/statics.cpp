@@ -108,14 +108,14 @@ CableModel withSofterObstacles(const CableModel& model, double share)
   return softer;
 }
 
+}  // namespace
+
 NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
 {
   NodeField shape = freeShape(model, ends);
   pushOut(model, shape);
   return shape;
 }
-
-}  // namespace
 
 Statics::Statics(int nodes, const StaticsOptions& options)
   : options_(options), start_(nodes, NodeCoords::Zero()), residual_(start_), tangent_(nodes)
@@ -278,99 +278,6 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
     for (int i = 0; i < model.nodes(); ++i)
       trial_.q[i] -= residual_[i];
   }
-}
-
-SolveReport settleContact(const CableModel& model, CableState& state)
-{
-  constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
-  constexpr double STILL = 2e-3;                   // [m/s]
-  SolveReport total;
-  ContactSummary contact;
-  contact.obstacles.resize(state.obstacles.size());
-  summariseContact(model, state, contact);
-  const bool touches = contact.seabed_length > 0.0 ||
-                       std::any_of(contact.obstacles.begin(), contact.obstacles.end(),
-                                   [](const ContactSummary::Touch& touch) { return touch.total > 0.0; });
-  if (!touches || state.v.front().head<3>().norm() > CREEP)
-    return total;
-
-  // The world holds its breath meanwhile: no waves, and obstacles stay where they are.
-  CableModel held = model;
-  held.sea().calm();
-  std::vector<Obstacle> obstacles = model.environment().obstacles;
-  for (Obstacle& obstacle : obstacles)
-    obstacle.mass = 0.0;
-  held.sea().setObstacles(obstacles);
-  const CableState start = state;
-  for (ObstacleMotion& obstacle : state.obstacles)
-    obstacle.velocity.setZero();
-  Stepper stepper(held, StepperOptions());
-  EndPaths rest;
-  rest.vessel = EndPath::uniform(start.time, {state.q.front().head<3>(), Vector3::Zero()});
-  rest.vehicle = EndPath::uniform(start.time, {state.q.back().head<3>(), Vector3::Zero()});
-  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
-  {
-    total = stepper.advance(held, rest, start.time + t, state);
-    double fastest = 0.0;
-    for (const NodeCoords& v : state.v)
-      fastest = std::max(fastest, v.head<3>().norm());
-    if (!total.converged() || fastest < STILL)
-      break;
-  }
-  state.time = state.contact.time = start.time;
-  state.obstacles = start.obstacles;
-  state.step = 0.0;
-  for (NodeField* rate : {&state.v, &state.a, &state.aux})
-    for (NodeCoords& x : *rate)
-      x.setZero();
-  return total;
-}
-
-SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
-{
-  constexpr double STRETCH = 5.0, LONGEST = 150.0;  // [s]
-  constexpr double STILL = 0.02, SLOW = 0.1;        // [m/s]
-  CableModel calm = model;
-  calm.sea().calm();
-  std::vector<Obstacle> obstacles = model.environment().obstacles;
-  for (Obstacle& obstacle : obstacles)
-    obstacle.mass = 0.0;
-  calm.sea().setObstacles(obstacles);
-  CableState state(0.0, startingShape(calm, ends), ends.velocity);
-  state.q.front().head<3>() = ends.vessel;
-  if (!model.bodies().vehicle)
-    state.q.back().head<3>() = ends.vehicle;
-  beginContact(calm, state);
-  StepperOptions options;
-  options.step = 0.1;
-  options.spectral_radius = 0.0;
-  Stepper stepper(calm, options);
-  EndPaths paths;
-  paths.vessel = EndPath::uniform(0.0, {ends.vessel, ends.velocity});
-  paths.vehicle = EndPath::uniform(0.0, {ends.vehicle, ends.velocity});
-  SolveReport total;
-  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
-  {
-    const SolveReport report = stepper.advance(calm, paths, t, state);
-    total.steps += report.steps;
-    total.rejected += report.rejected;
-    total.iterations += report.iterations;
-    total.status = report.status;
-    if (!report.converged())
-      return total;
-    double fastest = 0.0;
-    for (const NodeCoords& v : state.v)
-      fastest = std::max(fastest, (v.head<3>() - ends.velocity).norm());
-    if (fastest < STILL || (fastest < SLOW && t + STRETCH > LONGEST))
-    {
-      shape = state.q;
-      for (NodeCoords& node : shape)
-        node.head<3>() -= t * ends.velocity;
-      return total;
-    }
-  }
-  total.status = SolveStatus::NOT_CONVERGED;
-  return total;
 }
 
 }  // namespace tether_monitor::core

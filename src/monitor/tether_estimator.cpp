@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "tether_monitor/core/bounds.h"
+#include "tether_monitor/core/settling.h"
 #include "tether_monitor/monitor/assessment.h"
+#include "tether_monitor/monitor/deployed_model.h"
 
 namespace tether_monitor::monitor
 {
@@ -21,36 +23,6 @@ const Config& checked(const Config& config)
 {
   core::throwIfAny("configuration of the monitor", problems(config));
   return config;
-}
-
-// What is fixed to the tether keeps its distance from the vehicle end, as the tether pays out at the vessel; what
-// has come aboard is left out.
-core::CableFittings shifted(double by, core::CableFittings fittings)
-{
-  for (core::CableSection& section : fittings.sections)
-  {
-    section.from = section.from == 0.0 ? 0.0 : std::max(section.from + by, 0.0);
-    section.to += by;
-  }
-  for (core::Attachment& attachment : fittings.attachments)
-    attachment.s += by;
-  const auto drop = [](auto& list, const auto& is_aboard)
-  { list.erase(std::remove_if(list.begin(), list.end(), is_aboard), list.end()); };
-  drop(fittings.sections, [](const core::CableSection& section) { return section.to <= 0.0; });
-  drop(fittings.attachments, [](const core::Attachment& attachment) { return attachment.s <= 0.0; });
-  return fittings;
-}
-
-core::CableModel modelOf(const Config& config)
-{
-  core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
-  if (config.vehicle_mode == VehicleMode::FREE)
-  {
-    core::RigidBody body = config.vehicle_body;
-    body.attachment = config.vehicle.attachment;
-    model.setBodies({std::nullopt, body});
-  }
-  return model;
 }
 
 core::EndPoint shifted(const core::EndPoint& end, const core::Vector3& origin)
@@ -134,18 +106,10 @@ std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vect
   return {};
 }
 
-bool TetherEstimator::isPossibleLength(double length) const
-{
-  if (!std::isfinite(length) || length <= 0.0)
-    return false;
-  const core::CableFittings fittings = shifted(length - config_.tether.length, config_.fittings);
-  return core::problems(fittings, length).empty() &&
-         core::elementCountProblems(config_.elements, length, fittings).empty();
-}
-
 bool TetherEstimator::addPayout(double t, double length, double rate)
 {
-  const bool is_possible = (model_.canPayTo(length) || isPossibleLength(length)) && length <= winch_capacity_;
+  const bool is_possible =
+      (model_.canPayTo(length) || isPossibleLength(config_, length)) && length <= winch_capacity_;
   return is_possible && !(std::abs(rate) > FASTEST_WINCH) && payout_.add(t, length, rate);
 }
 
@@ -157,13 +121,10 @@ bool TetherEstimator::setLength(double length)
     model_.setPayout({length, 0.0, 0.0});
     return true;
   }
-  if (!isPossibleLength(length))
+  if (!isPossibleLength(config_, length))
     return false;
-  Config changed = config_;
-  changed.fittings = shifted(length - config_.tether.length, config_.fittings);
-  changed.tether.length = length;
   const core::Sea sea = model_.sea();
-  model_ = modelOf(changed);
+  model_ = modelAt(config_, length);
   model_.sea() = sea;
   return true;
 }
@@ -261,7 +222,10 @@ const TetherEstimate& TetherEstimator::tick(double t)
     return refuse(t, Reason::SETTLING);
   }
   if (t < retry_settling_at_)
-    return refuse(t, Reason::NOT_CONVERGED);
+  {
+    const bool was_absurd = estimate_.reason == Reason::OUT_OF_RANGE;
+    return refuse(t, was_absurd ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
+  }
   return begin(t, targetsAt(t));
 }
 

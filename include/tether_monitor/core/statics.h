@@ -4,7 +4,6 @@
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/newton_options.h"
 #include "tether_monitor/core/solve_report.h"
-#include "tether_monitor/core/stepper.h"
 
 namespace tether_monitor::core
 {
@@ -65,22 +64,7 @@ class Statics
   BlockTridiagonal tangent_;
 };
 
-/**
- * Lets a tether at rest in contact slip where friction does not hold it: steps it with its ends at rest until
- * nothing moves, up to a minute. Does nothing without contact, or where the ends move.
- *
- * @param state  a steady state of Statics, after beginContact(); in and out, its time stays.
- * @return       how the stepping went; CONVERGED if there was nothing to do.
- */
-SolveReport settleContact(const CableModel& model, CableState& state);
-
-/**
- * Steady shape by motion, the paper's "solution setting": from the starting curve with its ends in uniform motion
- * until no point moves faster than 2 cm/s against them, or 10 cm/s after 150 s. For tethers whose steady state
- * Newton does not find: a neutral slack one hardly has any.
- *
- * @param shape  out: unchanged unless the report says converged.
- */
-SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
+/// The curve from which Statics::solve() starts.
+NodeField startingShape(const CableModel& model, const SteadyEnds& ends);
 
 }  // namespace tether_monitor::core

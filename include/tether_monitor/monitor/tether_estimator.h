@@ -126,7 +126,6 @@ class TetherEstimator
   double thrustAge(double t) const;
   void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
-  bool isPossibleLength(double length) const;
   void lookAtAges(double t);
   void lookAtStrumming();
   Reason degradation(const EndTargets& ends) const;
