@@ -8,7 +8,6 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double FADING = 2.5;          // rate of fading times the interval of the reports [-]
 constexpr double SHORTEST_SLOPE = 0.1;  // [s]
 constexpr double LONGEST_FADE = 1.0;    // [s]
 }  // namespace
@@ -34,7 +33,7 @@ bool PayoutTrack::add(double t, double length, double rate)
     --count_;
   }
   if (count_ == 0)
-    following_ = false;
+    follower_.reset();
   reports_[count_++] = {t, length, rate};
   return true;
 }
@@ -62,30 +61,10 @@ core::PayoutMotion PayoutTrack::reported(double t) const
 core::PayoutMotion PayoutTrack::follow(double t)
 {
   const core::PayoutMotion now = reported(t);
-  const double dt = t - followed_at_;
   const double interval = count_ > 1 ? std::min(last().t - reports_[count_ - 2].t, LONGEST_FADE) : 0.0;
-  if (!following_ || !(dt > 0.0))
-  {
-    offset_ = core::PayoutMotion();
-  }
-  else
-  {
-    if (last().t != followed_report_)
-    {
-      offset_.length -= now.length - (followed_.length + dt * followed_.rate);
-      offset_.rate -= now.rate - followed_.rate;
-    }
-    const double w = FADING / std::max(interval, dt);
-    const double decay = std::exp(-w * dt);
-    const double drive = offset_.rate + w * offset_.length;
-    offset_.length = decay * (offset_.length + dt * drive);
-    offset_.rate = decay * (offset_.rate - w * dt * drive);
-  }
-  following_ = true;
-  followed_at_ = t;
-  followed_report_ = last().t;
-  followed_ = now;
-  return {now.length + offset_.length, now.rate + offset_.rate, now.acceleration};
+  const core::EndPoint end{{now.length, 0.0, 0.0}, {now.rate, 0.0, 0.0}};
+  const core::EndPoint target = follower_.follow(t, end, last().t, interval);
+  return {target.position.x(), target.velocity.x(), now.acceleration};
 }
 
 }  // namespace tether_monitor::monitor

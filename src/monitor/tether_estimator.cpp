@@ -222,10 +222,7 @@ const TetherEstimate& TetherEstimator::tick(double t)
     return refuse(t, Reason::SETTLING);
   }
   if (t < retry_settling_at_)
-  {
-    const bool was_absurd = estimate_.reason == Reason::OUT_OF_RANGE;
-    return refuse(t, was_absurd ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
-  }
+    return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
   return begin(t, targetsAt(t));
 }
 

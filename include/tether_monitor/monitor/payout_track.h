@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "tether_monitor/core/payout_path.h"
+#include "tether_monitor/monitor/end_follower.h"
 
 namespace tether_monitor::monitor
 {
@@ -44,10 +45,7 @@ class PayoutTrack
   static constexpr std::size_t CAPACITY = 16;
   std::array<Report, CAPACITY> reports_{};  // in order of time
   std::size_t count_ = 0;
-  bool following_ = false;
-  double followed_at_ = 0.0, followed_report_ = 0.0;
-  core::PayoutMotion followed_;
-  core::PayoutMotion offset_;  // of what follow() returns from what is reported, fading
+  EndFollower follower_;  // x is the length
 };
 
 }  // namespace tether_monitor::monitor
