@@ -143,6 +143,25 @@ TEST(Sections, HeavyAndLightPiecesMatchThePiecewiseSolution)
   EXPECT_EQ(model.propertiesOf(49).mass_per_length, 1.43);
 }
 
+TEST(PointLoad, AWavePushesItWithItsDragAndItsAcceleration)
+{
+  Environment waves;
+  waves.waves = {1.0, 60.0, 0.0, 0.0};
+  const Sea sea(waves);
+  const PointLoad load{0, 20.0, 0.05, 0.3};
+  const Vector3 place(3.0, 0.0, -4.0);
+  for (const double t : {0.3, 1.9, 3.1})
+  {
+    const WaveMotion water = sea.wave().at(place, t);
+    const Vector3 needed =
+        pointLoadResidual(load, sea, t, place, Vector3::Zero(), Vector3::Zero(), TangentWeights{}, nullptr);
+    const Vector3 push =
+        0.5 * 1025.0 * 0.3 * water.velocity.norm() * water.velocity + 1025.0 * 0.05 * water.acceleration;
+    const Vector3 weight(0.0, 0.0, -9.81 * (20.0 - 1025.0 * 0.05));
+    EXPECT_LT((needed + push + weight).norm(), 1e-9);
+  }
+}
+
 TEST(PointLoad, TangentIsTheDerivativeOfItsForce)
 {
   // Submerged with drag; and at the waterline without, since the drag's change with submersion is left out of the

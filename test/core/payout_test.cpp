@@ -73,6 +73,48 @@ TEST(Payout, ARopeThatRunsOutCarriesWhatHangsLessItsAcceleration)
   }
 }
 
+// A weight that circles on a rope in space: what runs out brings no angular momentum, so the turning slows by
+// itself.
+TEST(Payout, ACirclingWeightKeepsItsAngularMomentum)
+{
+  CableProperties p = towCable();
+  p.length = 10.0;
+  p.axial_stiffness = 1.0e7;
+  p.bending_stiffness = 1e-6;
+  Environment space = air();
+  space.gravity = 0.0;
+  CableModel model(p, 8, space);
+  model.setBodies({std::nullopt, weight(5.0)});
+  const double turning = 1.0, m = p.mass_per_length;
+  const auto momentum = [&](double length) { return 5.0 * length * length + m * length * length * length / 3.0; };
+  NodeField shape(9);
+  for (int i = 0; i <= 8; ++i)
+  {
+    const double s = 1.25 * i;
+    // Pull of what is further out, as strain.
+    const double pull = turning * turning * (50.0 + 0.5 * m * (100.0 - s * s));
+    shape[i] << s, 0.0, 0.0, 1.0 + pull / 1.0e7, 0.0, 0.0;
+  }
+  CableState state(0.0, shape, Vector3::Zero());
+  for (int i = 0; i <= 8; ++i)
+    state.v[i] << 0.0, turning * shape[i][0], 0.0, 0.0, turning, 0.0;
+  StepperOptions options;
+  options.step = 0.01;
+  Stepper stepper(model, options);
+  const auto rest = [](const PayoutPath& path) { return heldAt(Vector3::Zero(), Vector3::Zero(), path); };
+  // Up to 0.5 m/s within 2 s, on for 8 s.
+  ASSERT_TRUE(
+      stepper.advance(model, rest(PayoutPath::between(0.0, {10.0, 0.0, 0.0}, 2.0, {10.5, 0.5, 0.0})), 2.0, state)
+          .converged());
+  ASSERT_TRUE(
+      stepper.advance(model, rest(PayoutPath::between(2.0, {10.5, 0.5, 0.0}, 10.0, {14.5, 0.5, 0.0})), 10.0, state)
+          .converged());
+  const Vector3 r = state.q.back().head<3>(), v = state.v.back().head<3>();
+  const double now = r.cross(v).z() / r.squaredNorm();
+  const double expected = turning * momentum(10.0) / momentum(14.5);
+  EXPECT_NEAR(now, expected, 0.01 * expected);
+}
+
 class PayoutUnderTow : public ::testing::TestWithParam<std::pair<double, double>>
 {
 };
