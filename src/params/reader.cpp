@@ -28,6 +28,19 @@ std::optional<double> parseNumber(const std::string& text)
   const double value = std::strtod(text.c_str(), &end);
   return end == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
 }
+
+// A map of x, y, z and w as the list of its numbers, as messages are written; anything else as it is.
+Value inOrder(const Value& value)
+{
+  const auto* map = value.get<Value::Map>();
+  if (!map)
+    return value;
+  Value::List list;
+  for (const char* key : {"x", "y", "z", "w"})
+    if (const auto at = map->find(key); at != map->end())
+      list.push_back(at->second);
+  return list.size() == map->size() ? Value(list) : value;
+}
 }  // namespace
 
 ParamError::ParamError(const std::string& where, const std::vector<std::string>& faults)
@@ -183,7 +196,8 @@ std::vector<double> Reader::numbers(const char* key, const std::vector<double>& 
   const Value* value = fallback.empty() ? require(key) : find(key);
   if (!value)
     return fallback;
-  const auto* list = value->get<Value::List>();
+  const Value named = inOrder(*value);
+  const auto* list = named.get<Value::List>();
   if (!list || list->size() < least || list->size() > most)
   {
     static const char* const COUNT[] = {"no", "one", "two", "three", "four"};

@@ -102,7 +102,7 @@ TEST(LoadConfig, ReadsTheWholeSea)
                         {"size", Value::List{0.5, 20.0}},
                         {"friction", 0.2}};
   const Value::Map ball{{"shape", 0L},
-                        {"pose", Value::Map{{"position", Value::List{0.0, 0.0, -10.0}}}},
+                        {"pose", Value::Map{{"position", Value::Map{{"x", 1.0}, {"y", 2.0}, {"z", -10.0}}}}},
                         {"size", Value::List{0.7}},
                         {"mass", 30.0},
                         {"stiffness", 1e6}};
@@ -122,6 +122,7 @@ TEST(LoadConfig, ReadsTheWholeSea)
   EXPECT_NEAR(c.environment.obstacles[0].orientation.y(), 0.7071, 1e-4);
   EXPECT_EQ(c.environment.obstacles[1].shape, core::ObstacleShape::SPHERE);
   EXPECT_EQ(c.environment.obstacles[1].mass, 30.0);
+  EXPECT_EQ(c.environment.obstacles[1].position, core::Vector3(1.0, 2.0, -10.0)) << "as a message is written";
   EXPECT_EQ(c.environment.wind.x(), 3.0);
 }
 

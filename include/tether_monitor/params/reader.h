@@ -53,8 +53,8 @@ class Reader
   /// Two numbers (z zero); NaN and a fault if they are missing and there is no fallback.
   core::Vector3 pair(const char* key);
   core::Vector3 pair(const char* key, const core::Vector3& fallback);
-  /// A list of `least` to `most` numbers; the fallback if the key is missing, with a fault if the fallback is
-  /// empty.
+  /// A list of `least` to `most` numbers, or a map of x, y, z, w; the fallback if the key is missing, with a fault
+  /// if the fallback is empty.
   std::vector<double> numbers(const char* key, const std::vector<double>& fallback, std::size_t least,
                               std::size_t most);
   /// Reader of the map at `key`; of an empty one if it is missing.
