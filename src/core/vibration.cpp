@@ -61,7 +61,8 @@ Strumming findStrumming(CableModel& model, const CableState& state, double facto
     const ElementParameters& e = model.element(i);
     const double shedding = sheddingFrequency(model, state, i);
     const double half_wave = 0.5 * waveSpeed(model, e, middleOf(model, state, i)) / std::max(shedding, 1e-9);
-    const bool strums = shedding > LOCK_IN * found.string_frequency && half_wave > SHORTEST_HALF_WAVE * e.diameter;
+    const bool strums = shedding * e.diameter > STROUHAL * LEAST_FLOW &&
+                        shedding > LOCK_IN * found.string_frequency && half_wave > SHORTEST_HALF_WAVE * e.diameter;
     if (factor != 1.0)
       model.setDragFactor(i, strums ? factor : 1.0);
     if (!strums)

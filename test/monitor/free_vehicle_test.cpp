@@ -184,6 +184,16 @@ TEST(BendLimit, OfASectionIsItsOwn)
   EXPECT_NEAR(e.tightest_bend, e.min_bend_radius / 100.0, 1e-9);
 }
 
+TEST(Strumming, NeedsAFlow)
+{
+  Config config = towedFish();
+  EndTargets ends;
+  ends.vessel.velocity = {0.03, 0.0, 0.0};
+  TetherEstimator estimator(config);
+  ASSERT_TRUE(estimator.begin(0.0, ends).has_stations);
+  EXPECT_EQ(estimator.strumming().length, 0.0) << "what creeps makes no vortices that matter";
+}
+
 TEST(Strumming, AmplifiesDragAndTiltsTheTether)
 {
   Config config = towedFish();
