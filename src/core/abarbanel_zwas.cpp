@@ -23,7 +23,6 @@ const TangentWeights MASS_ONLY{1.0, 0.0, 0.0};
 AbarbanelZwas::AbarbanelZwas(const CableModel& model, int corrections)
   : corrections_(corrections),
     residual_(model.nodes(), NodeCoords::Zero()),
-    before_(residual_),
     mass_(model.nodes()),
     blocks_(model.nodes())
 {
@@ -87,7 +86,7 @@ void AbarbanelZwas::assemble(const CableModel& model, const EndPaths& ends, bool
   const auto couple = [&](const RigidBody& body, std::size_t node, const Rotation& rotation, const Wrench& thrust,
                           BodyCoupling& coupling)
   {
-    const AttachmentMotion at{trial_.q[node].head<3>(), trial_.v[node].head<3>(), trial_.a[node].head<3>()};
+    const AttachmentMotion at = attachmentMotion(trial_, node);
     coupling.assemble(body, model.sea(), trial_.time, at, rotation, thrust, MASS_ONLY, residual_[node],
                       mass_.diagonal(static_cast<int>(node)));
     coupling.condense(residual_[node]);
@@ -118,24 +117,14 @@ void AbarbanelZwas::assemble(const CableModel& model, const EndPaths& ends, bool
 
 void AbarbanelZwas::place(const CableModel& model, const EndPaths& ends, double h, const CableState& state)
 {
-  const HeldEnds held = heldEnds(model);
-  const auto hold = [&](const EndPath& path, std::size_t node)
-  {
-    trial_.q[node].head<3>() = path.position(trial_.time);
-    trial_.v[node].head<3>() = path.velocity(trial_.time);
-    trial_.a[node].head<3>() = path.acceleration(trial_.time);
-  };
   for (std::size_t i = 0; i < state.q.size(); ++i)
   {
     // The layer of one step before, by the state's own rates; then (42).
-    before_[i] = state.q[i] - h * state.v[i] + 0.5 * h * h * state.a[i];
-    trial_.q[i] = 2.0 * state.q[i] - before_[i] + h * h * trial_.a[i];
+    const NodeCoords before = state.q[i] - h * state.v[i] + 0.5 * h * h * state.a[i];
+    trial_.q[i] = 2.0 * state.q[i] - before + h * h * trial_.a[i];
     trial_.v[i] = (trial_.q[i] - state.q[i]) / h + 0.5 * h * trial_.a[i];
   }
-  if (held.vessel)
-    hold(ends.vessel, 0);
-  if (held.vehicle)
-    hold(ends.vehicle, state.q.size() - 1);
+  placeHeldEnds(model, ends, trial_);
   const auto rotate = [&](const Rotation& from, Rotation& to)
   {
     to.velocity = from.velocity + h * to.acceleration;

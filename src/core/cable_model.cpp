@@ -148,6 +148,9 @@ bool CableModel::canPayTo(double length) const
 
 void CableModel::setPayout(const PayoutMotion& payout)
 {
+  const bool rests = payout.rate == 0.0 && payout.acceleration == 0.0;
+  if (rests && payout.length == length() && !elements_.front().flow.active)
+    return;  // a winch that stands still and says so at every step
   const double growing = payout.length - fixed_length_;
   for (CableProperties& kind : kinds_)
     kind.length = payout.length;
@@ -166,7 +169,7 @@ void CableModel::setPayout(const PayoutMotion& payout)
     e = elementParameters(propertiesOf(i), share * growing, sea_.gravity());
     e.drag_normal = drag;
     ElementFlow& flow = e.flow;
-    flow.active = payout.rate != 0.0 || payout.acceleration != 0.0;
+    flow.active = !rests;
     flow.growth = payout.rate / growing;
     flow.acceleration = payout.acceleration / growing;
     flow.speed_a = payout.rate * (1.0 - covered);

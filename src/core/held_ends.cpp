@@ -24,6 +24,21 @@ HeldEnds heldEnds(const CableModel& model)
   return {!model.bodies().vessel, !model.bodies().vehicle};
 }
 
+void placeHeldEnds(const CableModel& model, const EndPaths& ends, CableState& trial)
+{
+  const auto place = [&](const EndPath& path, std::size_t node)
+  {
+    trial.q[node].head<3>() = path.position(trial.time);
+    trial.v[node].head<3>() = path.velocity(trial.time);
+    trial.a[node].head<3>() = path.acceleration(trial.time);
+  };
+  const HeldEnds held = heldEnds(model);
+  if (held.vessel)
+    place(ends.vessel, 0);
+  if (held.vehicle)
+    place(ends.vehicle, trial.q.size() - 1);
+}
+
 ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
                       const HeldEnds& held, NodeField& residual, double reaction)
 {

@@ -10,14 +10,6 @@
 
 namespace tether_monitor::core
 {
-namespace
-{
-AttachmentMotion motionOf(const CableState& state, std::size_t node)
-{
-  return {state.q[node].head<3>(), state.v[node].head<3>(), state.a[node].head<3>()};
-}
-}  // namespace
-
 GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radius, const NewtonOptions& options)
   : options_(options), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())
 {
@@ -37,22 +29,6 @@ void GeneralizedAlpha::prepareObstacles(const CableModel& model)
 {
   border_ = borderFor(model, pushed_);
   beginContact(model, trial_);
-}
-
-void GeneralizedAlpha::placeEnds(const CableModel& model, const EndPaths& ends)
-{
-  const double t = trial_.time;
-  const auto place = [&](const EndPath& path, std::size_t node)
-  {
-    trial_.q[node].head<3>() = path.position(t);
-    trial_.v[node].head<3>() = path.velocity(t);
-    trial_.a[node].head<3>() = path.acceleration(t);
-  };
-  const HeldEnds held = heldEnds(model);
-  if (held.vessel)
-    place(ends.vessel, 0);
-  if (held.vehicle)
-    place(ends.vehicle, trial_.q.size() - 1);
 }
 
 void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, double h, const CableState& state)
@@ -93,7 +69,7 @@ void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, do
   }
   trial_.contact = state.contact;
   trial_.contact.step = h;
-  placeEnds(model, ends);
+  placeHeldEnds(model, ends, trial_);
 }
 
 ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths& ends,
@@ -111,7 +87,7 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
     reaction = std::max({reaction, residual_[node].head<3>().norm(), 1e-3 * 9.81 * body.mass});
 
     const double open =
-        turning.coupling.assemble(body, model.sea(), trial_.time, motionOf(trial_, node), rotation, thrust,
+        turning.coupling.assemble(body, model.sea(), trial_.time, attachmentMotion(trial_, node), rotation, thrust,
                                   weights, residual_[node], tangent_.diagonal(static_cast<int>(node)));
     unbalanced = std::max(unbalanced, open);
   };
@@ -239,7 +215,7 @@ SolveReport GeneralizedAlpha::initialiseAcceleration(CableModel& model, const En
     rotation->acceleration.setZero();
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.acceleration.setZero();
-  placeEnds(model, ends);
+  placeHeldEnds(model, ends, trial_);
   report.residual = assemble(model, ends, TangentWeights{1.0, 0.0, 0.0}).largest;
   report.iterations = 1;
   if (!std::isfinite(report.residual) || !solve())

@@ -42,7 +42,7 @@ Sparse symmetric(const CableModel& model, const CableState& state, const Tangent
   model.assemble(state, weights, residual, matrix);
   const auto addBody = [&](const RigidBody& body, int node)
   {
-    const AttachmentMotion at{state.q[node].head<3>(), state.v[node].head<3>(), Vector3::Zero()};
+    const AttachmentMotion at = attachmentMotion(state, node);
     matrix.diagonal(node).topLeftCorner<3, 3>() +=
         bodyResponse(body, model.sea(), state.time, at, node == 0 ? state.vessel : state.vehicle, Wrench(),
                      weights)

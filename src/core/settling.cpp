@@ -9,8 +9,6 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double CREEP = 1e-3;  // speed of the ends below which a tether lies still [m/s]
-
 // The world holds its breath: no waves, and obstacles that nobody pushes.
 CableModel quiet(const CableModel& model)
 {
@@ -43,7 +41,7 @@ SolveReport settleContact(const CableModel& model, CableState& state)
   const bool touches = contact.seabed_length > 0.0 ||
                        std::any_of(contact.obstacles.begin(), contact.obstacles.end(),
                                    [](const ContactSummary::Touch& touch) { return touch.total > 0.0; });
-  if (!touches || state.v.front().head<3>().norm() > CREEP)
+  if (!touches || state.v.front().head<3>().norm() > STANDSTILL)
     return total;
 
   CableModel held = quiet(model);
@@ -90,9 +88,7 @@ SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, Node
   for (double t = STRETCH; t <= LONGEST; t += STRETCH)
   {
     const SolveReport report = stepper.advance(calm, paths, t, state);
-    total.steps += report.steps;
-    total.rejected += report.rejected;
-    total.iterations += report.iterations;
+    total.addCost(report);
     total.status = report.status;
     if (!report.converged())
       return total;

@@ -17,7 +17,6 @@ constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is 
 constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
 constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
 constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};  // of their stiffness
-constexpr double CREEP = 1e-3;                           // speed of the ends below which a tether lies still [m/s]
 constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
@@ -82,6 +81,7 @@ NodeField freeShape(const CableModel& model, const SteadyEnds& ends)
   const NodeField laid = laidShape(model, ends.vessel, hangs ? Vector3(shape.back().head<3>()) : ends.vehicle);
   return laid.empty() ? shape : laid;
 }
+
 // Moves nodes out of obstacles by the shortest way, the ends apart.
 void pushOut(const CableModel& model, NodeField& shape)
 {
@@ -130,7 +130,7 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
     calm.sea().calm();
     return solve(calm, ends, shape);
   }
-  NodeField found = startingShape(model, ends);
+  NodeField found;
   if (!model.environment().obstacles.empty())
   {
     // Where it would hang without obstacles tells on which side of them it lies.
@@ -143,6 +143,8 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
       pushOut(model, found);
     }
   }
+  if (found.empty())
+    found = startingShape(model, ends);
   SolveReport report = solveFrom(model, ends, found);
   if (!report.converged())
   {
@@ -152,9 +154,8 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
     const SolveReport again = solveFrom(model, ends, found);
     const SolveReport first = report;
     report = again;
-    report.steps += first.steps + stiff.steps;
-    report.rejected += first.rejected + stiff.rejected;
-    report.iterations += first.iterations + stiff.iterations;
+    report.addCost(first);
+    report.addCost(stiff);
   }
   if (!report.converged() && !model.environment().obstacles.empty())
   {
@@ -179,9 +180,9 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
 
   // A tether that is drawn over the floor slides on it. One at rest is held by it, else its slack would have no
   // place.
-  const bool slides = ends.velocity.norm() > CREEP || !model.hasContact();
+  const bool slides = ends.velocity.norm() > STANDSTILL || !model.hasContact();
   trial_.contact.friction = slides ? FrictionMode::SLIDING : FrictionMode::GLUED;
-  SolveReport total = relax(model, ends);
+  SolveReport total = relax(model);
   if (total.converged() && isFolded(model, q))
     total.status = SolveStatus::FALSE_BRANCH;
   if (total.converged())
@@ -189,7 +190,7 @@ SolveReport Statics::solveFrom(const CableModel& model, const SteadyEnds& ends, 
   return total;
 }
 
-SolveReport Statics::relax(const CableModel& model, const SteadyEnds& ends)
+SolveReport Statics::relax(const CableModel& model)
 {
   SolveReport total;
   NodeField& q = trial_.q;
@@ -201,7 +202,7 @@ SolveReport Statics::relax(const CableModel& model, const SteadyEnds& ends)
   {
     start_ = q;
     const bool is_newton = tau >= NEWTON_TAU * tau_0;
-    const SolveReport report = flow(model, ends, is_newton ? 0.0 : 1.0 / tau, iterations_left);
+    const SolveReport report = flow(model, is_newton ? 0.0 : 1.0 / tau, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;
     total.status = report.status;
@@ -225,8 +226,7 @@ SolveReport Statics::relax(const CableModel& model, const SteadyEnds& ends)
   return total;
 }
 
-ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, double scale,
-                               const NewtonOptions& newton)
+ResidualSize Statics::assemble(const CableModel& model, double scale, const NewtonOptions& newton)
 {
   model.assemble(trial_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
   addMetric(model, scale, tangent_);
@@ -235,7 +235,7 @@ ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, 
   if (model.bodies().vehicle)
   {
     reaction = residual_.back().head<3>().norm();
-    const AttachmentMotion at{trial_.q.back().head<3>(), ends.velocity, Vector3::Zero()};
+    const AttachmentMotion at = attachmentMotion(trial_, trial_.q.size() - 1);
     const BodyResponse body = bodyResponse(*model.bodies().vehicle, model.sea(), 0.0, at, Rotation(), Wrench(),
                                            TangentWeights{0.0, 0.0, 1.0});
     residual_.back().head<3>() += body.force;
@@ -244,7 +244,7 @@ ResidualSize Statics::assemble(const CableModel& model, const SteadyEnds& ends, 
   return holdEnds(model, trial_.q, newton, steadyHeld(model), residual_, reaction);
 }
 
-SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left)
+SolveReport Statics::flow(const CableModel& model, double scale, int& iterations_left)
 {
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
@@ -256,7 +256,7 @@ SolveReport Statics::flow(const CableModel& model, const SteadyEnds& ends, doubl
   double previous = 0.0;
   for (int k = 0;; ++k)
   {
-    const ResidualSize size = assemble(model, ends, scale, newton);
+    const ResidualSize size = assemble(model, scale, newton);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {

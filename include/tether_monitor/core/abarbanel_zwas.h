@@ -51,7 +51,7 @@ class AbarbanelZwas
 
   int corrections_;
   CableState trial_;
-  NodeField residual_, before_;
+  NodeField residual_;
   BlockTridiagonal mass_;
   std::vector<Eigen::PartialPivLU<NodeMatrix>> blocks_;
   BodyCoupling vessel_, vehicle_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/end_path.h"
 #include "tether_monitor/core/newton_options.h"
 
 namespace tether_monitor::core
@@ -14,6 +15,9 @@ struct HeldEnds
 
 /// The ends that are held because no body of the model moves them.
 HeldEnds heldEnds(const CableModel& model);
+
+/// Puts the held end nodes of a trial state on their paths at its time.
+void placeHeldEnds(const CableModel& model, const EndPaths& ends, CableState& trial);
 
 /// Size of a residual and what counts as zero for it.
 struct ResidualSize

@@ -56,7 +56,7 @@ class GeneralizedAlpha
   };
 
   void predict(const CableModel& model, const EndPaths& ends, double h, const CableState& state);
-  void placeEnds(const CableModel& model, const EndPaths& ends);
+
   // Residual and iteration matrix of everything at the trial state, ready to be solved.
   ResidualSize assemble(const CableModel& model, const EndPaths& ends, const TangentWeights& weights);
   bool solve();

@@ -44,6 +44,12 @@ struct AttachmentMotion
   Vector3 position, velocity, acceleration;
 };
 
+/// Motion of the end node that a body is fixed to.
+inline AttachmentMotion attachmentMotion(const CableState& state, std::size_t node)
+{
+  return {state.q[node].head<3>(), state.v[node].head<3>(), state.a[node].head<3>()};
+}
+
 /**
  * What a body asks of the node that it is fixed to.
  *

@@ -40,6 +40,13 @@ struct SolveReport
   int iterations = 0;     ///< Newton iterations, those of rejected steps included.
   double residual = 0.0;  ///< largest force residual at the end [N].
 
+  /// Adds what another solve has cost.
+  void addCost(const SolveReport& other)
+  {
+    steps += other.steps;
+    rejected += other.rejected;
+    iterations += other.iterations;
+  }
   bool converged() const { return status == SolveStatus::CONVERGED; }
 };
 

@@ -16,6 +16,9 @@ struct SteadyEnds
   Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
 };
 
+/// Speed of the ends below which a tether lies still and friction holds it [m/s].
+constexpr double STANDSTILL = 1e-3;
+
 /// Bounds of the search for a steady state.
 struct StaticsOptions
 {
@@ -52,11 +55,10 @@ class Statics
 
  private:
   // The flow from trial_ to its end.
-  SolveReport relax(const CableModel& model, const SteadyEnds& ends);
+  SolveReport relax(const CableModel& model);
   // One backward Euler step from start_; scale is 1 / dtau, 0 for Newton's method on R = 0.
-  SolveReport flow(const CableModel& model, const SteadyEnds& ends, double scale, int& iterations_left);
-  ResidualSize assemble(const CableModel& model, const SteadyEnds& ends, double scale,
-                        const NewtonOptions& newton);
+  SolveReport flow(const CableModel& model, double scale, int& iterations_left);
+  ResidualSize assemble(const CableModel& model, double scale, const NewtonOptions& newton);
 
   StaticsOptions options_;
   CableState trial_;

@@ -19,7 +19,7 @@ void describeVehicle(const core::CableModel& model, const core::CableState& stat
 
 /// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load, 10 % strain or where pressure
 /// takes more than half of the diameter, MESH_COARSE where the tether turns by more than 1.2 rad within one
-/// element, else NONE.
+/// element or is crumpled by 10 %, else NONE.
 Reason modelRange(const core::CableModel& model, const TetherEstimate& estimate);
 
 /// Sets INVALID with a reason and takes every number of the model out; ages and time stay.
