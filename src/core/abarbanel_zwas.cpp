@@ -77,7 +77,8 @@ void AbarbanelZwas::assemble(const CableModel& model, const EndPaths& ends, bool
   {
     if (!pushed_.empty())
       border_.setZero();
-    model.assemble(trial_, MASS_ONLY, residual_, mass_, pushed_.empty() ? nullptr : &border_);
+    model.assemble(trial_, MASS_ONLY, residual_, mass_, TangentKind::SYMMETRIC,
+                   pushed_.empty() ? nullptr : &border_);
   }
   else
   {

@@ -12,55 +12,63 @@ BlockTridiagonal::BlockTridiagonal(int nodes)
   diagonal_.resize(nodes);
   upper_.resize(nodes - 1);
   lower_.resize(nodes - 1);
+  scratch_.resize(nodes);
+  pivots_.resize(nodes);
+  ahead_.resize(nodes - 1);
   setZero();
 }
 
 void BlockTridiagonal::setZero()
 {
-  for (NodeMatrix& block : diagonal_)
-    block.setZero();
-  for (NodeMatrix& block : upper_)
-    block.setZero();
-  for (NodeMatrix& block : lower_)
-    block.setZero();
+  for (std::vector<Block>* blocks : {&diagonal_, &upper_, &lower_})
+    for (Block& block : *blocks)
+      block = Block{};
 }
 
 void BlockTridiagonal::addElement(int i, const ElementMatrix& m)
 {
-  diagonal_[i] += m.topLeftCorner<6, 6>();
-  upper_[i] += m.topRightCorner<6, 6>();
-  lower_[i] += m.bottomLeftCorner<6, 6>();
-  diagonal_[i + 1] += m.bottomRightCorner<6, 6>();
+  diagonal(i) += m.topLeftCorner<6, 6>();
+  upper(i) += m.topRightCorner<6, 6>();
+  lower(i) += m.bottomLeftCorner<6, 6>();
+  diagonal(i + 1) += m.bottomRightCorner<6, 6>();
 }
 
 void BlockTridiagonal::holdRow(int node, int row)
 {
-  diagonal_[node].row(row).setZero();
-  diagonal_[node](row, row) = 1.0;
+  diagonal(node).row(row).setZero();
+  diagonal(node)(row, row) = 1.0;
   if (node > 0)
-    lower_[node - 1].row(row).setZero();
+    lower(node - 1).row(row).setZero();
   if (node + 1 < nodes())
-    upper_[node].row(row).setZero();
+    upper(node).row(row).setZero();
 }
 
-bool BlockTridiagonal::solve(NodeField& b)
+bool BlockTridiagonal::solve(const kernel::Kernel& kernel, NodeField& b)
+{
+  return kernel.solve(
+      {nodes(), diagonal_.front().x, upper_.front().x, lower_.front().x, b.front().data(), scratch_.front().x});
+}
+
+bool BlockTridiagonal::solvePivoted(NodeField& b)
 {
   const int n = nodes();
+  NodeMatrix reduced = diagonal(0);
   for (int i = 0; i < n; ++i)
   {
-    const Eigen::PartialPivLU<NodeMatrix> lu(diagonal_[i]);
-    b[i] = lu.solve(b[i]).eval();
+    pivots_[i].compute(reduced);
+    b[i] = pivots_[i].solve(b[i]).eval();
     if (!b[i].allFinite())
       return false;
     if (i + 1 == n)
       break;
-    upper_[i] = lu.solve(upper_[i]).eval();
-    diagonal_[i + 1].noalias() -= lower_[i] * upper_[i];
-    b[i + 1].noalias() -= lower_[i] * b[i];
+    ahead_[i] = pivots_[i].solve(upper(i));
+    reduced = diagonal(i + 1);
+    reduced.noalias() -= lower(i) * ahead_[i];
+    b[i + 1].noalias() -= lower(i) * b[i];
   }
   for (int i = n - 2; i >= 0; --i)
   {
-    b[i].noalias() -= upper_[i] * b[i + 1];
+    b[i].noalias() -= ahead_[i] * b[i + 1];
     if (!b[i].allFinite())
       return false;
   }

@@ -7,7 +7,7 @@ namespace tether_monitor::core
 {
 double BodyCoupling::assemble(const RigidBody& body, const Sea& sea, double t, const AttachmentMotion& motion,
                               const Rotation& rotation, const Wrench& thrust, const TangentWeights& weights,
-                              NodeCoords& node, NodeMatrix& diagonal)
+                              NodeCoords& node, NodeBlock diagonal)
 {
   response_ = bodyResponse(body, sea, t, motion, rotation, thrust, weights);
   const Eigen::PartialPivLU<Matrix3> lu(response_.moment_r);

@@ -39,9 +39,14 @@ void spreadStrain(std::vector<double>& strain)
 
 EndForces endForces(const CableModel& model, const CableState& state)
 {
-  const ElementCoords first = model.elementResidualOf(0, state);
-  const ElementCoords last = model.elementResidualOf(model.elements() - 1, state);
-  return {-first.segment<3>(0), -last.segment<3>(6)};  // (M13)
+  std::array<ElementCoords, kernel::BLOCK> parts;
+  EndForces ends;
+  model.elementResiduals(0, state, parts);
+  ends.vessel = -parts[0].segment<3>(0);  // (M13)
+  const int last = (model.elements() - 1) / kernel::BLOCK * kernel::BLOCK;
+  const int count = model.elementResiduals(last, state, parts);
+  ends.vehicle = -parts[count - 1].segment<3>(6);
+  return ends;
 }
 
 StationField::StationField(int elements)
@@ -61,11 +66,14 @@ void computeStations(const CableModel& model, const CableState& state, StationFi
   field.stretched_length = 0.0;
   field.largest_turn = 0.0;
   Vector3 curvature_before = Vector3::Zero();
+  std::array<ElementCoords, kernel::BLOCK> parts;
   for (int i = 0; i < N; ++i)
   {
     const double l = model.element(i).length;
     const ElementCoords q = elementCoords(state.q, i);
-    const ElementCoords force = model.elementResidualOf(i, state);
+    if (i % kernel::BLOCK == 0)
+      model.elementResiduals(i, state, parts);
+    const ElementCoords& force = parts[i % kernel::BLOCK];
     const Vector3 ta = direction(state.q[i]);
     const Vector3 tb = direction(state.q[i + 1]);
 

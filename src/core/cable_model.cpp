@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tether_monitor/core/bounds.h"
-#include "tether_monitor/core/inertia.h"
 #include "tether_monitor/core/regularisation.h"
 
 namespace tether_monitor::core
@@ -12,12 +11,6 @@ namespace tether_monitor::core
 namespace
 {
 constexpr int MAX_ELEMENTS = 100000;
-
-void setBending(double EI, ElementParameters& e)
-{
-  e.bending_stiffness = EI;
-  e.bending_matrix = bendingMatrix(e.length) * EI;
-}
 
 ElementParameters elementParameters(const CableProperties& p, double length, double gravity)
 {
@@ -33,14 +26,8 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   e.compression = p.hydrostatic_compression;
   e.natural_stretch = 1.0 + p.permanent_elongation;
   e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.residual};
-  e.mass_matrix = massMatrix(length) * e.mass;
-  setBending(small.bending_stiffness, e);
+  e.bending_stiffness = small.bending_stiffness;
   return e;
-}
-
-ElementMotion elementMotion(const CableState& state, int i)
-{
-  return {elementCoords(state.q, i), elementCoords(state.v, i), elementCoords(state.a, i), state.time};
 }
 }  // namespace
 
@@ -64,7 +51,7 @@ std::vector<std::string> elementCountProblems(int elements, double length, const
 
 CableModel::CableModel(const CableProperties& properties, int elements, const Environment& sea,
                        const CableFittings& fittings)
-  : properties_(properties), sea_(sea)
+  : properties_(properties), sea_(sea), field_(std::clamp(elements, 1, MAX_ELEMENTS))
 {
   std::vector<std::string> faults = problems(properties);
   for (const auto& more :
@@ -103,6 +90,8 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
     point_loads_.push_back({static_cast<int>(nearest - arc_length_.begin()), attachment.mass, attachment.volume,
                             attachment.drag_area});
   }
+  for (int i = 0; i < elements; ++i)
+    field_.set(i, elements_[i]);
   updateScales();
 }
 
@@ -136,6 +125,7 @@ void CableModel::setBodies(const EndBodies& bodies)
 void CableModel::setDragFactor(int i, double factor)
 {
   elements_[i].drag_normal = propertiesOf(i).drag_normal * factor;
+  field_.set(i, elements_[i]);
 }
 
 bool CableModel::canPayTo(double length) const
@@ -178,6 +168,7 @@ void CableModel::setPayout(const PayoutMotion& payout)
     flow.speed_b = payout.rate * (1.0 - covered);
     flow.rate_b = payout.acceleration * (1.0 - covered);
     arc_length_[i + 1] = arc_length_[i] + e.length;
+    field_.set(i, e);
   }
   arc_length_.back() = payout.length;
   properties_.length = payout.length;
@@ -187,11 +178,12 @@ void CableModel::setPayout(const PayoutMotion& payout)
 CableModel CableModel::stiffened(double floor) const
 {
   CableModel copy = *this;
-  for (ElementParameters& e : copy.elements_)
+  for (int i = 0; i < elements(); ++i)
   {
+    ElementParameters& e = copy.elements_[i];
     const double EI = floor * e.mass * 9.81 * e.length * e.length * e.length;
-    if (EI > e.bending_stiffness)
-      setBending(EI, e);
+    e.bending_stiffness = std::max(EI, e.bending_stiffness);
+    copy.field_.set(i, e);
   }
   return copy;
 }
@@ -200,12 +192,16 @@ void CableModel::assemble(const CableState& state, NodeField& residual) const
 {
   for (NodeCoords& row : residual)
     row.setZero();
-  ElementCoords r;
-  for (int i = 0; i < elements(); ++i)
+  std::array<ElementCoords, kernel::BLOCK> parts;
+  for (int first = 0; first < elements(); first += kernel::BLOCK)
   {
-    elementResidual(elements_[i], sea_, elementMotion(state, i), r);
-    residual[i] += r.head<6>();
-    residual[i + 1] += r.tail<6>();
+    const int count = std::min(kernel::BLOCK, elements() - first);
+    field_.residuals(*kernel_, sea_, state, first, count, parts.data());
+    for (int i = 0; i < count; ++i)
+    {
+      residual[first + i] += parts[i].head<6>();
+      residual[first + i + 1] += parts[i].tail<6>();
+    }
   }
   for (const PointLoad& load : point_loads_)
     residual[load.node].head<3>() +=
@@ -216,20 +212,9 @@ void CableModel::assemble(const CableState& state, NodeField& residual) const
 }
 
 void CableModel::assemble(const CableState& state, const TangentWeights& weights, NodeField& residual,
-                          BlockTridiagonal& tangent, ObstacleBorder* border) const
+                          BlockTridiagonal& tangent, TangentKind kind, ObstacleBorder* border) const
 {
-  for (NodeCoords& row : residual)
-    row.setZero();
-  tangent.setZero();
-  ElementCoords r;
-  ElementMatrix J;
-  for (int i = 0; i < elements(); ++i)
-  {
-    elementResidual(elements_[i], sea_, elementMotion(state, i), weights, r, J);
-    residual[i] += r.head<6>();
-    residual[i + 1] += r.tail<6>();
-    tangent.addElement(i, J);
-  }
+  field_.assemble(*kernel_, sea_, state, weights, kind, residual, tangent);
   Matrix3 block;
   for (const PointLoad& load : point_loads_)
   {
@@ -242,13 +227,15 @@ void CableModel::assemble(const CableState& state, const TangentWeights& weights
     addContact(*this, state, weights, residual, &tangent, border);
 }
 
-ElementCoords CableModel::elementResidualOf(int i, const CableState& state) const
+int CableModel::elementResiduals(int first, const CableState& state,
+                                 std::array<ElementCoords, kernel::BLOCK>& out) const
 {
-  ElementCoords r;
-  elementResidual(elements_[i], sea_, elementMotion(state, i), r);
+  const int count = std::min(kernel::BLOCK, elements() - first);
+  field_.residuals(*kernel_, sea_, state, first, count, out.data());
   if (hasContact())
-    r += elementContact(*this, i, state);
-  return r;
+    for (int i = 0; i < count; ++i)
+      out[i] += elementContact(*this, first + i, state);
+  return count;
 }
 
 ElementEnergy CableModel::energy(const NodeField& q, const NodeField& v) const

@@ -78,7 +78,8 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
   ObstacleBorder* border = pushed_.empty() ? nullptr : &border_;
   if (border)
     border->setZero();
-  model.assemble(trial_, weights, residual_, tangent_, border);
+  kernel_ = &model.kernel();
+  model.assemble(trial_, weights, residual_, tangent_, TangentKind::SYMMETRIC, border);
 
   double reaction = 0.0, unbalanced = 0.0;
   const auto couple = [&](const RigidBody& body, std::size_t node, const Rotation& rotation, const Wrench& thrust,
@@ -124,7 +125,7 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
 bool GeneralizedAlpha::solve()
 {
   if (pushed_.empty())
-    return tangent_.solve(residual_);
+    return tangent_.solve(*kernel_, residual_);
   return border_.solve(tangent_, residual_);
 }
 

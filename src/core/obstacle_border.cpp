@@ -30,7 +30,7 @@ void ObstacleBorder::setZero()
 
 bool ObstacleBorder::solve(BlockTridiagonal& matrix, NodeField& b)
 {
-  if (!matrix.solve(b))
+  if (!matrix.solvePivoted(b))
     return false;
   const std::size_t count = diagonal_.size();
   for (std::vector<Column>& column : columns_)

@@ -270,7 +270,7 @@ SolveReport Statics::flow(const CableModel& model, double scale, int& iterations
     holdEnds(steadyHeld(model), tangent_);
     ++report.iterations;
     --iterations_left;
-    if (!std::isfinite(size.largest) || !tangent_.solve(residual_))
+    if (!std::isfinite(size.largest) || !tangent_.solvePivoted(residual_))
     {
       report.status = SolveStatus::SINGULAR;
       return report;

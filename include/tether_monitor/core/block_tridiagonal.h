@@ -3,11 +3,16 @@
 #include <Eigen/LU>
 #include <vector>
 
+#include "tether_monitor/core/kernel/kernel.h"
 #include "tether_monitor/core/types.h"
 
 namespace tether_monitor::core
 {
-/// Block-tridiagonal matrix of 6 x 6 blocks with a direct solver. All memory is taken by the constructor.
+/// A 6 x 6 block inside a BlockTridiagonal.
+using NodeBlock = Eigen::Map<NodeMatrix, Eigen::Unaligned, Eigen::OuterStride<kernel::COLUMN>>;
+using ConstNodeBlock = Eigen::Map<const NodeMatrix, Eigen::Unaligned, Eigen::OuterStride<kernel::COLUMN>>;
+
+/// Block-tridiagonal matrix of 6 x 6 blocks with direct solvers. All memory is taken by the constructor.
 class BlockTridiagonal
 {
  public:
@@ -20,44 +25,67 @@ class BlockTridiagonal
   /// Adds the 12 x 12 matrix of element `i` to block rows i and i + 1.
   void addElement(int i, const ElementMatrix& m);
 
-  NodeMatrix& diagonal(int i) { return diagonal_[i]; }
-  const NodeMatrix& diagonal(int i) const { return diagonal_[i]; }
+  NodeBlock diagonal(int i) { return NodeBlock(diagonal_[i].x); }
+  ConstNodeBlock diagonal(int i) const { return ConstNodeBlock(diagonal_[i].x); }
   /// Block in row i, column i + 1.
-  NodeMatrix& upper(int i) { return upper_[i]; }
+  NodeBlock upper(int i) { return NodeBlock(upper_[i].x); }
+  ConstNodeBlock upper(int i) const { return ConstNodeBlock(upper_[i].x); }
   /// Block in row i + 1, column i.
-  NodeMatrix& lower(int i) { return lower_[i]; }
+  NodeBlock lower(int i) { return NodeBlock(lower_[i].x); }
+  ConstNodeBlock lower(int i) const { return ConstNodeBlock(lower_[i].x); }
 
   /// Replaces row `row` (0..5) of block row `node` by the identity: the unknown there is known.
   void holdRow(int node, int row);
 
   /**
-   * Solves A x = b by block elimination without pivoting between blocks, partial pivoting within. Destroys the
-   * matrix.
+   * Solves A x = b by block elimination from both ends, without pivoting: for matrices that inertia or a metric
+   * keeps definite. The matrix stays.
    *
    * @param b  in: right-hand side, out: solution. Size nodes().
-   * @return   false if a pivot block is singular or a number is not finite; b is then unusable.
+   * @return   false if a pivot is lost or a number is not finite; b is then unusable.
    */
-  bool solve(NodeField& b);
+  bool solve(const kernel::Kernel& kernel, NodeField& b);
 
-  /// After solve(): solves for one more right-hand side, of six rows and any number of columns at each node.
+  /// As solve(), with partial pivoting within the blocks; the factors stay for solveAgain().
+  bool solvePivoted(NodeField& b);
+
+  /// After solvePivoted(): solves for right-hand sides of six rows and any number of columns at each node.
   template <typename Columns>
-  void solveAgain(std::vector<Columns>& b) const
-  {
-    const int n = nodes();
-    for (int i = 0; i < n; ++i)
-    {
-      if (i > 0)
-        b[i].noalias() -= lower_[i - 1] * b[i - 1];
-      b[i] = diagonal_[i].partialPivLu().solve(b[i]).eval();
-    }
-    for (int i = n - 2; i >= 0; --i)
-      b[i].noalias() -= upper_[i] * b[i + 1];
-  }
+  void solveAgain(std::vector<Columns>& b) const;
+
+  /// For the kernels: where the blocks begin.
+  double* diagonalData(int i) { return diagonal_[i].x; }
+  double* upperData(int i) { return upper_[i].x; }
+  double* lowerData(int i) { return lower_[i].x; }
 
  private:
-  std::vector<NodeMatrix> diagonal_;
-  std::vector<NodeMatrix> upper_;
-  std::vector<NodeMatrix> lower_;
+  struct alignas(64) Block
+  {
+    double x[kernel::MATRIX];
+  };
+  struct alignas(64) Scratch
+  {
+    double x[kernel::MATRIX + kernel::COLUMN];
+  };
+
+  std::vector<Block> diagonal_, upper_, lower_;
+  std::vector<Scratch> scratch_;
+  std::vector<Eigen::PartialPivLU<NodeMatrix>> pivots_;  // of the reduced diagonal blocks
+  std::vector<NodeMatrix> ahead_;                        // inverse of them times the upper blocks
 };
+
+template <typename Columns>
+void BlockTridiagonal::solveAgain(std::vector<Columns>& b) const
+{
+  const int n = nodes();
+  for (int i = 0; i < n; ++i)
+  {
+    if (i > 0)
+      b[i].noalias() -= lower(i - 1) * b[i - 1];
+    b[i] = pivots_[i].solve(b[i]).eval();
+  }
+  for (int i = n - 2; i >= 0; --i)
+    b[i].noalias() -= ahead_[i] * b[i + 1];
+}
 
 }  // namespace tether_monitor::core

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "tether_monitor/core/block_tridiagonal.h"
 #include "tether_monitor/core/rigid_body.h"
 
 namespace tether_monitor::core
@@ -22,7 +23,7 @@ class BodyCoupling
    */
   double assemble(const RigidBody& body, const Sea& sea, double t, const AttachmentMotion& motion,
                   const Rotation& rotation, const Wrench& thrust, const TangentWeights& weights, NodeCoords& node,
-                  NodeMatrix& diagonal);
+                  NodeBlock diagonal);
   /// Takes what the rotation adds to the node's right-hand side off it; after the size of the residual is known.
   void condense(NodeCoords& node) const { node.head<3>() -= response_.force_r * moment_; }
   /// Solution of the rotation when that of the node is `delta`.

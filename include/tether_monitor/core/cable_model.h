@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "tether_monitor/core/cable_properties.h"
 #include "tether_monitor/core/cable_state.h"
 #include "tether_monitor/core/contact.h"
+#include "tether_monitor/core/element_field.h"
 #include "tether_monitor/core/element_response.h"
 #include "tether_monitor/core/payout_path.h"
 #include "tether_monitor/core/point_load.h"
@@ -89,10 +91,15 @@ class CableModel
   void assemble(const CableState& state, NodeField& residual) const;
   /// As above, with the iteration matrix (see TangentWeights), and with the obstacles' part if `border` is given.
   void assemble(const CableState& state, const TangentWeights& weights, NodeField& residual,
-                BlockTridiagonal& tangent, ObstacleBorder* border = nullptr) const;
-  /// Residual of element `i` alone: the forces that its two nodes receive from their other neighbours or from
-  /// outside.
-  ElementCoords elementResidualOf(int i, const CableState& state) const;
+                BlockTridiagonal& tangent, TangentKind kind = TangentKind::COMPLETE,
+                ObstacleBorder* border = nullptr) const;
+  /// Residuals of elements `first`, a multiple of kernel::BLOCK, to the end of the block: the forces that the two
+  /// nodes of each receive from their other neighbours or from outside. @return how many.
+  int elementResiduals(int first, const CableState& state, std::array<ElementCoords, kernel::BLOCK>& out) const;
+
+  /// The arithmetic in use; kernel::best() unless told.
+  const kernel::Kernel& kernel() const { return *kernel_; }
+  void setKernel(const kernel::Kernel& kernel) { kernel_ = &kernel; }
 
   /// Energies of the whole tether [J]; see ElementEnergy.
   ElementEnergy energy(const NodeField& q, const NodeField& v) const;
@@ -105,6 +112,8 @@ class CableModel
   Sea sea_;
   EndBodies bodies_;
   std::vector<ElementParameters> elements_;
+  ElementField field_;  // the same for the kernels
+  const kernel::Kernel* kernel_ = &kernel::best();
   std::vector<double> arc_length_;
   std::vector<double> growing_share_;  // of each growing element in the piece that grows
   std::optional<double> bend_limit_;

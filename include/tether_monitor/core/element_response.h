@@ -40,8 +40,6 @@ struct ElementParameters
   double added_mass = 0.0;       ///< Can [-].
   AxialParameters axial;
   double bending_stiffness = 0.0;  ///< EI with its regularisation [N m^2].
-  ShapeMatrix mass_matrix;         ///< massMatrix(length) * mass [kg].
-  ShapeMatrix bending_matrix;      ///< bendingMatrix(length) * bending_stiffness [N/m].
   double compression = 0.0;        ///< relative change of diameter per metre of depth [1/m], >= 0.
   double natural_stretch = 1.0;    ///< lambda_0 = 1 + permanent elongation [-].
   ElementFlow flow;
@@ -70,7 +68,9 @@ struct TangentWeights
  *
  * Model: R = M a + Q_axial + Q_bending + Q_drag + Q_weight, (M11) of doc/model.md; axial (M2)-(M5), bending (M6),
  * inertia (M7) and (M10), weight and buoyancy (M8), drag (M9). Loads and the axial term use GAUSS_POINTS.
- * Derivatives of the added mass with the direction of the tether are left out of the tangent.
+ * Derivatives of the added mass with the direction of the tether are left out of the tangent. The arithmetic is
+ * that of the kernels (kernel.h); a whole tether goes through ElementField instead, one element through here: for
+ * set-up and tests, for it allocates.
  *
  * @param p         constants of the element.
  * @param sea       the environment.

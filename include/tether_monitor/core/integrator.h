@@ -67,6 +67,7 @@ class GeneralizedAlpha
   CableState trial_;
   NodeField residual_;
   BlockTridiagonal tangent_;
+  const kernel::Kernel* kernel_ = nullptr;
   Turning vessel_, vehicle_;
   ObstacleBorder border_;
   std::vector<int> pushed_;  // obstacles with a mass

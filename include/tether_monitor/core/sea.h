@@ -46,6 +46,8 @@ class Sea
   /// Takes the waves away, for steady states.
   void calm() { wave_ = AiryWave(); }
 
+  /// True if the water moves everywhere alike, and without waves.
+  bool isUniform() const { return wave_.isCalm() && environment_.current.samples().size() <= 1; }
   /// Motion of the water at a point [m] and time t [s].
   Water waterAt(const Vector3& point, double t) const
   {

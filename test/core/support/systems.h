@@ -49,8 +49,6 @@ struct RandomElement
     const double EA = std::pow(10.0, uniform(3.0, 8.0));
     p.axial = {EA, uniform(0.0, 0.01), EA * uniform(1e-3, 1e-2), 1e-5};  // wide enough for differences
     p.bending_stiffness = uniform(0.0, 100.0);
-    p.mass_matrix = massMatrix(L) * p.mass;
-    p.bending_matrix = bendingMatrix(L) * p.bending_stiffness;
 
     const Vector3 chord = vector(1.0).normalized() * L * (1.0 + uniform(-0.01, 0.02));
     const Vector3 start = Vector3(0.0, 0.0, -200.0) + vector(50.0);

@@ -1,0 +1,12 @@
+# The kernels of the core: one translation unit for each instruction set, chosen at run time. They are optimised in
+# every kind of build but the sanitized one: nobody steps through them, and everybody waits for them.
+set_source_files_properties(
+  src/core/kernel/portable.cpp src/core/kernel/avx2.cpp src/core/kernel/avx512.cpp
+  PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-Wno-psabi;-O3")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_definitions(tether_monitor_core PRIVATE TETHER_MONITOR_X86_KERNELS)
+  set_property(SOURCE src/core/kernel/avx2.cpp APPEND PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
+  set_property(SOURCE src/core/kernel/avx512.cpp APPEND PROPERTY COMPILE_OPTIONS -mavx512f -mavx512dq -mavx512vl -mavx2 -mfma)
+else()
+  set_property(SOURCE src/core/kernel/avx2.cpp src/core/kernel/avx512.cpp PROPERTY HEADER_FILE_ONLY ON)
+endif()

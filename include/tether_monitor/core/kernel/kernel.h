@@ -1,0 +1,112 @@
+#pragma once
+
+#include <vector>
+
+namespace tether_monitor::core
+{
+/**
+ * The arithmetic of the stepping path, compiled for several instruction sets and chosen at run time.
+ *
+ * Plain numbers and pointers only: nothing inlined for one instruction set may meet code for another. Coordinates
+ * and residuals have six numbers a node (see NodeCoords); 6 x 6 blocks are stored by columns of 8, rows 6 and 7
+ * zero.
+ */
+namespace kernel
+{
+constexpr int BLOCK = 8;          ///< elements that one call takes at most.
+constexpr int COLUMN = 8;         ///< numbers from one column of a 6 x 6 block to the next.
+constexpr int MATRIX = 6 * COLUMN;  ///< numbers of a 6 x 6 block.
+constexpr int POINTS = 3;         ///< integration points of an element.
+
+/// Rows of the table of constants, one number for each element of a block; see ElementParameters.
+enum Constant
+{
+  LENGTH,
+  MASS,
+  DIAMETER,
+  AREA,
+  DRAG_NORMAL,
+  DRAG_TANGENTIAL,
+  ADDED_MASS,
+  AXIAL_STIFFNESS,
+  AXIAL_VISCOSITY,    ///< tau EA [N s].
+  COMPRESSION_LIMIT,  ///< Pc [N].
+  AXIAL_RESIDUAL,     ///< kappa [-].
+  BENDING_STIFFNESS,
+  COMPRESSION,
+  NATURAL_STRETCH,
+  FLOW_GROWTH,
+  FLOW_ACCELERATION,
+  FLOW_SPEED_A,
+  FLOW_SPEED_B,
+  FLOW_RATE_A,
+  FLOW_RATE_B,
+  CONSTANTS
+};
+
+/// Rows of the table of what the water does at an integration point.
+enum WaterRow
+{
+  WATER_VELOCITY = 0,      ///< 3 rows [m/s]
+  WATER_ACCELERATION = 3,  ///< 3 rows [m/s^2]
+  WATER_SURFACE = 6,       ///< height above z = 0 [m]
+  WATER_ROWS = 7
+};
+
+/// Surroundings of all elements.
+struct Surroundings
+{
+  double density, gravity, air_density;
+  double current[3];  ///< [m/s] where there is no table of the water.
+  double wind[3];
+  bool has_wind;
+};
+
+/// Up to BLOCK neighbouring elements: what goes in and where the answer goes.
+struct ElementBlock
+{
+  int count;                ///< elements, 1..BLOCK.
+  int nodes_after;          ///< nodes that follow the last one of this block in the arrays, >= 0.
+  const double* constants;  ///< [CONSTANTS][BLOCK]
+  bool has_damping, has_compression, has_flow;  ///< of any element of the block.
+  const double* q;                              ///< coordinates, count + 1 nodes.
+  const double* v;                              ///< their rates.
+  const double* a;
+  const Surroundings* around;
+  const double* water;               ///< [POINTS][WATER_ROWS][BLOCK], null: the uniform current and no waves.
+  double mass, damping, stiffness;   ///< see TangentWeights; not used by residuals.
+  double* element_residual;          ///< residuals(): out [count][12].
+  double* residual;                  ///< tangents: out [count + 1][6]; added to at the first node, set elsewhere.
+  double* diagonal;                  ///< tangents: out, blocks of count + 1 nodes; added to at the first, set elsewhere.
+  double* upper;                     ///< tangents: out, block in the row of node a, column of node b, of each element.
+  double* lower;                     ///< tangents: out, block in the row of node b, column of node a.
+};
+
+/// A block-tridiagonal system of 6 x 6 blocks.
+struct BlockSystem
+{
+  int nodes;  ///< >= 2.
+  const double *diagonal, *upper, *lower;
+  double* b;        ///< in: right-hand side, six numbers a node; out: solution.
+  double* scratch;  ///< nodes x (MATRIX + COLUMN) numbers, aligned to 64 bytes.
+};
+
+/// One set of functions. All are reentrant and allocate nothing.
+struct Kernel
+{
+  const char* name;
+  int width;                                 ///< numbers in a vector register.
+  void (*residuals)(const ElementBlock&);    ///< residual of every element alone.
+  void (*symmetric)(const ElementBlock&);    ///< residual, and the symmetric part of the tangent that matters in a
+                                             ///< time step: without the turning of drag with the tether.
+  void (*complete)(const ElementBlock&);     ///< residual and the whole tangent.
+  bool (*solve)(const BlockSystem&);         ///< elimination from both ends, without pivoting; false if a pivot is
+                                             ///< lost or a number is not finite; b is then unusable.
+};
+
+/// The kernels that this machine can run, the widest first; the last is for every machine.
+std::vector<const Kernel*> available();
+/// The first of available().
+const Kernel& best();
+}  // namespace kernel
+}  // namespace tether_monitor::core

@@ -1,0 +1,259 @@
+#pragma once
+
+#include "pack.h"
+
+#include "tether_monitor/core/kernel/kernel.h"
+
+// Elimination of a block-tridiagonal system from both ends at once: two chains that do not wait for each other.
+// Within a node Gauss-Jordan by columns, so that every update is a vector of rows.
+
+namespace tether_monitor::core::kernel
+{
+// A column of six rows (and two zeros).
+template <int W>
+struct Column
+{
+  static constexpr int PACKS = W >= 6 ? 1 : (6 + W - 1) / W;
+  typename Pack<W>::Vector x[PACKS];
+};
+
+template <int W>
+TM_INLINE Column<W> loadColumn(const double* p)
+{
+  Column<W> c;
+#pragma GCC unroll 3
+  for (int i = 0; i < Column<W>::PACKS; ++i)
+    c.x[i] = load<W>(p + i * W);
+  return c;
+}
+
+template <int W>
+TM_INLINE void storeColumn(double* p, const Column<W>& c)
+{
+#pragma GCC unroll 3
+  for (int i = 0; i < Column<W>::PACKS; ++i)
+    store<W>(p + i * W, c.x[i]);
+}
+
+template <int W>
+TM_INLINE typename Pack<W>::Vector lane(const Column<W>& c, int row)
+{
+  using V = typename Pack<W>::Vector;
+  const V pack = c.x[row / W];
+  typename Pack<W>::Mask all{};
+#ifdef __clang__
+  return spread<W>(pack[row % W]);
+  (void)all;
+#else
+  all += row % W;
+  return __builtin_shuffle(pack, all);
+#endif
+}
+
+template <int W>
+TM_INLINE void subtract(Column<W>& c, const Column<W>& m, typename Pack<W>::Vector factor)
+{
+#pragma GCC unroll 3
+  for (int i = 0; i < Column<W>::PACKS; ++i)
+    c.x[i] -= factor * m.x[i];
+}
+
+template <int W>
+TM_INLINE void clearRow(Column<W>& c, int row)
+{
+  c.x[row / W][row % W] = 0.0;
+}
+
+// One chain: a node's block and right-hand side, with what the nodes eliminated before have taken off.
+template <int W>
+struct Chain
+{
+  Column<W> D[6], b;
+};
+
+template <int W>
+TM_INLINE Column<W> loadRight(const double* b)
+{
+  double copy[8] = {b[0], b[1], b[2], b[3], b[4], b[5], 0.0, 0.0};
+  return loadColumn<W>(copy);
+}
+
+// Solves the node's block for its right-hand side and COLUMNS columns more. Returns the product of the pivots' signs
+// of life: zero or NaN if one is lost.
+template <int W, int COLUMNS>
+TM_INLINE typename Pack<W>::Vector eliminate(Chain<W>& c, Column<W>* more)
+{
+  using V = typename Pack<W>::Vector;
+  Column<W> inverse{};
+  V alive = spread<W>(1.0);
+#pragma GCC unroll 6
+  for (int k = 0; k < 6; ++k)
+  {
+    const V reciprocal = 1.0 / lane<W>(c.D[k], k);
+    inverse.x[k / W][k % W] = reciprocal[0];
+    Column<W> m = c.D[k];
+    clearRow<W>(m, k);
+#pragma GCC unroll 3
+    for (int i = 0; i < Column<W>::PACKS; ++i)
+      m.x[i] *= reciprocal;
+    alive *= reciprocal * lane<W>(c.D[k], k);
+#pragma GCC unroll 6
+    for (int j = k + 1; j < 6; ++j)
+      subtract<W>(c.D[j], m, lane<W>(c.D[j], k));
+    subtract<W>(c.b, m, lane<W>(c.b, k));
+#pragma GCC unroll 6
+    for (int j = 0; j < COLUMNS; ++j)
+      subtract<W>(more[j], m, lane<W>(more[j], k));
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < Column<W>::PACKS; ++i)
+  {
+    c.b.x[i] *= inverse.x[i];
+#pragma GCC unroll 6
+    for (int j = 0; j < COLUMNS; ++j)
+      more[j].x[i] *= inverse.x[i];
+  }
+  return alive;
+}
+
+// Eliminates a node: `right` couples its rows to the next node's unknowns, `left` the next node's rows to its own.
+template <int W>
+TM_INLINE typename Pack<W>::Vector advance(Chain<W>& c, const double* right, const double* left, const double* next,
+                                           const double* next_b, double* kept)
+{
+  using V = typename Pack<W>::Vector;
+  Column<W> X[6];
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j)
+    X[j] = loadColumn<W>(right + j * COLUMN);
+  const V alive = eliminate<W, 6>(c, X);
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j)
+    storeColumn<W>(kept + j * COLUMN, X[j]);
+  storeColumn<W>(kept + MATRIX, c.b);
+
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j)
+    c.D[j] = loadColumn<W>(next + j * COLUMN);
+  Column<W> b = loadRight<W>(next_b);
+#pragma GCC unroll 6
+  for (int k = 0; k < 6; ++k)
+  {
+    const Column<W> m = loadColumn<W>(left + k * COLUMN);
+    subtract<W>(b, m, lane<W>(c.b, k));
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j)
+      subtract<W>(c.D[j], m, lane<W>(X[j], k));
+  }
+  c.b = b;
+  return alive;
+}
+
+template <int W>
+TM_INLINE void substitute(const double* kept, Column<W>& x)
+{
+  Column<W> y = loadColumn<W>(kept + MATRIX), z{};
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k)
+  {
+    subtract<W>(y, loadColumn<W>(kept + 2 * k * COLUMN), lane<W>(x, 2 * k));
+    subtract<W>(z, loadColumn<W>(kept + (2 * k + 1) * COLUMN), lane<W>(x, 2 * k + 1));
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < Column<W>::PACKS; ++i)
+    x.x[i] = y.x[i] + z.x[i];
+}
+
+template <int W>
+TM_INLINE void storeRight(double* b, const Column<W>& x)
+{
+  double copy[8];
+  storeColumn<W>(copy, x);
+  for (int k = 0; k < 6; ++k)
+    b[k] = copy[k];
+}
+
+template <int W>
+bool solveBlocks(const BlockSystem& s)
+{
+  using V = typename Pack<W>::Vector;
+  constexpr int KEPT = MATRIX + COLUMN;
+  const int last = s.nodes - 1, middle = s.nodes / 2;
+  Chain<W> up, down;
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j)
+  {
+    down.D[j] = loadColumn<W>(s.diagonal + j * COLUMN);
+    up.D[j] = loadColumn<W>(s.diagonal + MATRIX * last + j * COLUMN);
+  }
+  down.b = loadRight<W>(s.b);
+  up.b = loadRight<W>(s.b + 6 * last);
+
+  // `down` goes 0, 1, ... to the middle, `up` last, last - 1, ... to it.
+  V alive = spread<W>(1.0);
+  int i = 0, j = last;
+  const auto stepDown = [&]()
+  {
+    alive *= advance<W>(down, s.upper + MATRIX * i, s.lower + MATRIX * i, s.diagonal + MATRIX * (i + 1),
+                        s.b + 6 * (i + 1), s.scratch + KEPT * i);
+    ++i;
+  };
+  const auto stepUp = [&]()
+  {
+    alive *= advance<W>(up, s.lower + MATRIX * (j - 1), s.upper + MATRIX * (j - 1), s.diagonal + MATRIX * (j - 1),
+                        s.b + 6 * (j - 1), s.scratch + KEPT * j);
+    --j;
+  };
+  while (i < middle && j > middle)
+  {
+    stepDown();
+    stepUp();
+  }
+  while (i < middle)
+    stepDown();
+  while (j > middle)
+    stepUp();
+
+  // Both chains hold the middle's block: each less what its own side took off.
+#pragma GCC unroll 6
+  for (int k = 0; k < 6; ++k)
+  {
+    const Column<W> whole = loadColumn<W>(s.diagonal + MATRIX * middle + k * COLUMN);
+    for (int p = 0; p < Column<W>::PACKS; ++p)
+      down.D[k].x[p] += up.D[k].x[p] - whole.x[p];
+  }
+  const Column<W> whole = loadRight<W>(s.b + 6 * middle);
+  for (int p = 0; p < Column<W>::PACKS; ++p)
+    down.b.x[p] += up.b.x[p] - whole.x[p];
+  alive *= eliminate<W, 0>(down, nullptr);
+  storeRight<W>(s.b + 6 * middle, down.b);
+
+  Column<W> x = down.b, y = down.b;
+  V sum = x.x[0] - x.x[0];
+  i = middle - 1;
+  j = middle + 1;
+  while (i >= 0 || j <= last)
+  {
+    if (i >= 0)
+    {
+      substitute<W>(s.scratch + KEPT * i, x);
+      storeRight<W>(s.b + 6 * i, x);
+      for (int p = 0; p < Column<W>::PACKS; ++p)
+        sum += x.x[p] - x.x[p];
+      --i;
+    }
+    if (j <= last)
+    {
+      substitute<W>(s.scratch + KEPT * j, y);
+      storeRight<W>(s.b + 6 * j, y);
+      for (int p = 0; p < Column<W>::PACKS; ++p)
+        sum += y.x[p] - y.x[p];
+      ++j;
+    }
+  }
+  double finite = alive[0] - alive[0];
+  for (int k = 0; k < W; ++k)
+    finite += sum[k];
+  return finite == 0.0;
+}
+}  // namespace tether_monitor::core::kernel

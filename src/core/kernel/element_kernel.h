@@ -1,0 +1,515 @@
+#pragma once
+
+#include "pack.h"
+
+#include "tether_monitor/core/kernel/kernel.h"
+
+// The equations of an element, (M1)-(M11) and (M24) of doc/model.md, for W elements at once. Inside, slopes are
+// multiplied by the element's length: then the shape functions are the same numbers for all elements.
+
+namespace tether_monitor::core::kernel
+{
+enum class Task
+{
+  RESIDUALS,
+  SYMMETRIC,
+  COMPLETE
+};
+
+// Hermite functions H, their slopes G and curvatures C at the Gauss points, for r_a, l r'_a, r_b, l r'_b.
+struct Shape
+{
+  double weight[POINTS], xi[POINTS], H[POINTS][4], G[POINTS][4], C[POINTS][4];
+
+  constexpr Shape() : weight(), xi(), H(), G(), C()
+  {
+    constexpr double X[POINTS] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
+    constexpr double PARTS[POINTS] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    for (int g = 0; g < POINTS; ++g)
+    {
+      const double x = X[g];
+      weight[g] = PARTS[g];
+      xi[g] = x;
+      H[g][0] = 1.0 - 3.0 * x * x + 2.0 * x * x * x;
+      H[g][1] = x - 2.0 * x * x + x * x * x;
+      H[g][2] = 3.0 * x * x - 2.0 * x * x * x;
+      H[g][3] = x * x * x - x * x;
+      G[g][0] = 6.0 * (x * x - x);
+      G[g][1] = 1.0 - 4.0 * x + 3.0 * x * x;
+      G[g][2] = 6.0 * (x - x * x);
+      G[g][3] = 3.0 * x * x - 2.0 * x;
+      C[g][0] = 12.0 * x - 6.0;
+      C[g][1] = 6.0 * x - 4.0;
+      C[g][2] = 6.0 - 12.0 * x;
+      C[g][3] = 6.0 * x - 2.0;
+    }
+  }
+};
+inline constexpr Shape SHAPE;
+
+// Consistent mass over m l, and bending over EI / l^3.
+inline constexpr double MASS_SHARE[4][4] = {{156.0 / 420.0, 22.0 / 420.0, 54.0 / 420.0, -13.0 / 420.0},
+                                            {22.0 / 420.0, 4.0 / 420.0, 13.0 / 420.0, -3.0 / 420.0},
+                                            {54.0 / 420.0, 13.0 / 420.0, 156.0 / 420.0, -22.0 / 420.0},
+                                            {-13.0 / 420.0, -3.0 / 420.0, -22.0 / 420.0, 4.0 / 420.0}};
+inline constexpr double BENDING_SHARE[4][4] = {
+    {12.0, 6.0, -12.0, 6.0}, {6.0, 4.0, -6.0, 2.0}, {-12.0, -6.0, 12.0, -6.0}, {6.0, 2.0, -6.0, 4.0}};
+
+// Place of entry (r, c) of a symmetric 3 x 3 matrix, and of pair (i, j) of a symmetric 4 x 4 one.
+constexpr int entryOf(int r, int c)
+{
+  return r <= c ? 3 * r - r * (r + 1) / 2 + c : entryOf(c, r);
+}
+constexpr int pairOf(int i, int j)
+{
+  return i <= j ? 4 * i - i * (i + 1) / 2 + j : pairOf(j, i);
+}
+
+template <class V>
+TM_INLINE V dot(const V* a, const V* b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Coordinates, or rates, of W elements: r_a, l r'_a, r_b, l r'_b, three components each.
+template <class V>
+struct Coords
+{
+  V x[4][3];
+};
+
+// Where `count` < W elements are left, the last one stands for those that are missing.
+template <int W>
+TM_INLINE Coords<typename Pack<W>::Vector> coordsAt(const double* nodes, int count, bool may_overrun,
+                                                    typename Pack<W>::Vector length)
+{
+  using V = typename Pack<W>::Vector;
+  double copy[(W + 1) * 6 + 2];
+  if (count < W || !may_overrun)
+  {
+    for (int i = 0; i <= W; ++i)
+      for (int k = 0; k < 6; ++k)
+        copy[6 * i + k] = nodes[6 * (i <= count ? i : count) + k];
+    copy[6 * W + 6] = copy[6 * W + 7] = 0.0;
+    nodes = copy;
+  }
+  Coords<V> out;
+  V a[6], b[6];
+  gather<W>(nodes, 6, a);
+  gather<W>(nodes + 6, 6, b);
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k)
+  {
+    out.x[0][k] = a[k];
+    out.x[1][k] = length * a[3 + k];
+    out.x[2][k] = b[k];
+    out.x[3][k] = length * b[3 + k];
+  }
+  return out;
+}
+
+template <class V>
+TM_INLINE V at(const double (&shape)[4], const Coords<V>& e, int k)
+{
+  return shape[0] * e.x[0][k] + shape[1] * e.x[1][k] + shape[2] * e.x[2][k] + shape[3] * e.x[3][k];
+}
+
+// The slopes of the four functions add up to nothing for the two positions.
+template <class V>
+TM_INLINE V slopeAt(const double (&shape)[4], const Coords<V>& e, int k)
+{
+  return shape[2] * (e.x[2][k] - e.x[0][k]) + shape[1] * e.x[1][k] + shape[3] * e.x[3][k];
+}
+
+template <class V>
+TM_INLINE V slopesAlone(const double (&shape)[4], const Coords<V>& e, int k)
+{
+  return shape[1] * e.x[1][k] + shape[3] * e.x[3][k];
+}
+
+// Drag (M9): force, and weighted derivatives as  alpha I + beta t t' + gamma un un'  with respect to velocity.
+template <class V>
+struct Drag
+{
+  V force[3], across[3];
+  V along, alpha, beta, gamma;  // along: t . u
+  V normal_speed, tangent_speed;
+};
+
+template <int W, class V>
+TM_INLINE Drag<V> drag(V normal, V tangential, const V* u, const V* t, V inverse_square)
+{
+  Drag<V> d;
+  d.along = dot(t, u);
+  const V share = d.along * inverse_square;
+  for (int k = 0; k < 3; ++k)
+    d.across[k] = u[k] - share * t[k];
+  const V square = dot(d.across, d.across);
+  d.normal_speed = normal * root<W>(square);
+  d.tangent_speed = tangential * magnitude(d.along) * root<W>(inverse_square);
+  for (int k = 0; k < 3; ++k)
+    d.force[k] = d.normal_speed * d.across[k] + d.tangent_speed * share * t[k];
+  d.alpha = d.normal_speed;
+  d.beta = inverse_square * (2.0 * d.tangent_speed - d.normal_speed);
+  d.gamma = d.normal_speed / larger(square, spread<W>(1e-24));
+  return d;
+}
+
+// d force / d slope of the same, (row, column).
+template <class V>
+TM_INLINE V turning(const Drag<V>& d, const V* t, V inverse_square, int row, int column)
+{
+  const V unit = row == column ? V{} + 1.0 : V{};
+  const V plane = unit - inverse_square * t[row] * t[column];
+  return inverse_square *
+         (d.tangent_speed * (2.0 * t[row] * d.across[column] + d.along * plane) -
+          (d.normal_speed * t[row] * d.across[column] +
+           d.along * (d.normal_speed * plane + d.gamma * d.across[row] * d.across[column])));
+}
+
+// Tangent of the loads at one point: of f with r, of f with r', of n with r', each times the point's weight.
+template <class V, Task TASK>
+struct PointTangent
+{
+  V f_r[6], n_dr[TASK == Task::COMPLETE ? 9 : 6], f_dr[TASK == Task::COMPLETE ? 9 : 1];
+};
+
+template <int W, Task TASK>
+TM_INLINE void elements(const ElementBlock& in, int first, int count)
+{
+  using V = typename Pack<W>::Vector;
+  constexpr bool TANGENT = TASK != Task::RESIDUALS;
+  constexpr bool COMPLETE = TASK == Task::COMPLETE;
+  const auto constant = [&](Constant row) { return load<W>(in.constants + row * BLOCK + first); };
+  const Surroundings& sea = *in.around;
+
+  const V length = constant(LENGTH), inverse_length = 1.0 / length;
+  const bool may_overrun = in.count - first > W || in.nodes_after > 0;
+  const Coords<V> q = coordsAt<W>(in.q + 6 * first, count, may_overrun, length);
+  const Coords<V> v = coordsAt<W>(in.v + 6 * first, count, may_overrun, length);
+  const Coords<V> a = coordsAt<W>(in.a + 6 * first, count, may_overrun, length);
+
+  const V mass = constant(MASS), diameter = constant(DIAMETER);
+  const V EA = constant(AXIAL_STIFFNESS), viscosity = constant(AXIAL_VISCOSITY);
+  const V push_rate = EA / constant(COMPRESSION_LIMIT);
+  const V stiff_part = constant(AXIAL_RESIDUAL) * EA, soft_part = EA - stiff_part;
+  const V natural = 1.0 / constant(NATURAL_STRETCH);
+  const V half_rho_d = 0.5 * sea.density * diameter, rho_area = sea.density * constant(AREA);
+  const V drag_normal = constant(DRAG_NORMAL), drag_tangential = constant(DRAG_TANGENTIAL);
+  const V added_mass = constant(ADDED_MASS), compression = constant(COMPRESSION);
+
+  // Inertia (M7) and bending (M6) are linear.
+  const V inertia = mass * length;
+  const V bending = constant(BENDING_STIFFNESS) * inverse_length * inverse_length * inverse_length;
+  V R[4][3];
+#pragma GCC unroll 4
+  for (int i = 0; i < 4; ++i)
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+      R[i][k] = inertia * (MASS_SHARE[i][0] * a.x[0][k] + MASS_SHARE[i][1] * a.x[1][k] +
+                           MASS_SHARE[i][2] * a.x[2][k] + MASS_SHARE[i][3] * a.x[3][k]) +
+                bending * (BENDING_SHARE[i][2] * (q.x[2][k] - q.x[0][k]) + BENDING_SHARE[i][1] * q.x[1][k] +
+                           BENDING_SHARE[i][3] * q.x[3][k]);
+
+  PointTangent<V, TASK> tangent[POINTS];
+#pragma GCC unroll 3
+  for (int g = 0; g < POINTS; ++g)
+  {
+    const V weight = SHAPE.weight[g] * length;
+    V r[3], t[3], rate[3], velocity[3], acceleration[3], f[3];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      r[k] = at(SHAPE.H[g], q, k);
+      t[k] = inverse_length * slopeAt(SHAPE.G[g], q, k);
+      rate[k] = inverse_length * slopeAt(SHAPE.G[g], v, k);
+      velocity[k] = at(SHAPE.H[g], v, k);
+      acceleration[k] = at(SHAPE.H[g], a, k);
+      f[k] = V{};
+    }
+    V flow_speed{};
+    if (in.has_flow)
+    {
+      // The tether runs through the mesh, (M24).
+      const V growth = constant(FLOW_GROWTH);
+      const V speed_a = constant(FLOW_SPEED_A), rate_a = constant(FLOW_RATE_A);
+      flow_speed = speed_a + SHAPE.xi[g] * (constant(FLOW_SPEED_B) - speed_a);
+      const V flow_rate = rate_a + SHAPE.xi[g] * (constant(FLOW_RATE_B) - rate_a);
+      for (int k = 0; k < 3; ++k)
+      {
+        const V spread_slope = slopesAlone(SHAPE.H[g], q, k);
+        const V turn = rate[k] + growth * (inverse_length * slopesAlone(SHAPE.G[g], q, k) - t[k]);
+        const V curvature = inverse_length * inverse_length * slopeAt(SHAPE.C[g], q, k);
+        const V extra = 2.0 * growth * slopesAlone(SHAPE.H[g], v, k) + constant(FLOW_ACCELERATION) * spread_slope +
+                        flow_rate * t[k] + 2.0 * flow_speed * turn + flow_speed * flow_speed * curvature;
+        velocity[k] += growth * spread_slope + flow_speed * t[k];
+        rate[k] = turn + flow_speed * curvature;
+        acceleration[k] += extra;
+        f[k] = mass * extra;
+      }
+    }
+
+    // Axial force (M2)-(M5).
+    const V square = dot(t, t);
+    const V natural2 = natural * natural;
+    const V strain = 0.5 * (natural2 * square - 1.0);
+    const V push = larger(-strain * push_rate, V{});
+    V give = spread<W>(1.0);
+    if (any<W>(push > 0.0))
+      give = 1.0 / (1.0 + push);
+    V N = stiff_part * strain + soft_part * strain * give;
+    if (in.has_damping)
+      N += viscosity * (natural2 * dot(t, rate));
+    N *= natural;
+
+    // Weight and buoyancy (M8).
+    V water_velocity[3], water_acceleration[3], surface{};
+    const double* table = in.water ? in.water + g * WATER_ROWS * BLOCK + first : nullptr;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      water_velocity[k] = table ? load<W>(table + (WATER_VELOCITY + k) * BLOCK) : spread<W>(sea.current[k]);
+      water_acceleration[k] = table ? load<W>(table + (WATER_ACCELERATION + k) * BLOCK) : V{};
+    }
+    if (table)
+      surface = load<W>(table + WATER_SURFACE * BLOCK);
+    const V extent = magnitude(t[2]) * weight + diameter, height = r[2] - surface;
+    V wet = spread<W>(1.0), wet_slope{};
+    const bool emerges = any<W>(!(height < -0.5 * extent));
+    if (emerges)
+    {
+      const V share = 0.5 - height / extent;
+      wet = smaller(larger(share, V{}), spread<W>(1.0));
+      wet_slope = share > 0.0 && share < 1.0 ? 1.0 / extent : V{};
+    }
+    V shrunk = spread<W>(1.0), shrinking{};
+    if (in.has_compression)
+    {
+      shrunk = r[2] < 0.0 ? larger(1.0 + compression * r[2], spread<W>(0.1)) : spread<W>(1.0);
+      shrinking = r[2] < 0.0 ? 2.0 * compression / shrunk : V{};
+    }
+    const V displaced = rho_area * shrunk * shrunk;
+    f[2] += sea.gravity * (mass - displaced * wet);
+
+    // Added mass (M10) and drag (M9).
+    const V inverse_square = 1.0 / larger(square, spread<W>(1e-24));
+    const V added = displaced * added_mass * wet, moved = displaced * wet;
+    V pushed[3], u[3];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      pushed[k] = added * (acceleration[k] - water_acceleration[k]) - moved * water_acceleration[k];
+      u[k] = velocity[k] - water_velocity[k];
+    }
+    const V along = inverse_square * dot(t, pushed);
+    const V drag_scale = half_rho_d * shrunk * wet;
+    const Drag<V> water = drag<W>(drag_scale * drag_normal, drag_scale * drag_tangential, u, t, inverse_square);
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+      f[k] += pushed[k] - along * t[k] + water.force[k];
+
+    const bool blows = emerges && sea.has_wind;
+    Drag<V> air;
+    if (blows)
+    {
+      const V scale = 0.5 * sea.air_density * diameter * (1.0 - wet);
+      V past[3];
+      for (int k = 0; k < 3; ++k)
+        past[k] = velocity[k] - sea.wind[k];
+      air = drag<W>(scale * drag_normal, scale * drag_tangential, past, t, inverse_square);
+      for (int k = 0; k < 3; ++k)
+        f[k] += air.force[k];
+    }
+
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      const V load_f = weight * f[k], load_n = SHAPE.weight[g] * N * t[k];
+#pragma GCC unroll 4
+      for (int i = 0; i < 4; ++i)
+        R[i][k] += SHAPE.H[g][i] * load_f + SHAPE.G[g][i] * load_n;
+    }
+
+    if constexpr (TANGENT)
+    {
+      PointTangent<V, TASK>& out = tangent[g];
+      // df/dr: the rates carry the weights of mass and damping.
+      const V alpha = weight * (in.damping * water.alpha + in.mass * added);
+      const V beta = weight * (in.damping * water.beta - in.mass * added * inverse_square);
+      const V gamma = weight * in.damping * water.gamma;
+#pragma GCC unroll 3
+      for (int row = 0; row < 3; ++row)
+#pragma GCC unroll 3
+        for (int column = row; column < 3; ++column)
+        {
+          V x = beta * t[row] * t[column] + gamma * water.across[row] * water.across[column];
+          if (row == column)
+            x += alpha;
+          out.f_r[entryOf(row, column)] = x;
+        }
+      out.f_r[entryOf(2, 2)] += weight * in.stiffness * sea.gravity * displaced * (wet_slope - shrinking * wet);
+      if (blows)
+        for (int row = 0; row < 3; ++row)
+          for (int column = row; column < 3; ++column)
+            out.f_r[entryOf(row, column)] +=
+                weight * in.damping *
+                (air.beta * t[row] * t[column] + air.gamma * air.across[row] * air.across[column] +
+                 (row == column ? air.alpha : V{}));
+
+      // dn/dr', over the square of the length.
+      const V share = SHAPE.weight[g] * inverse_length;
+      const V modulus = stiff_part + soft_part * give * give;
+      const V cube = share * natural * natural2;
+      const V along_t = cube * (in.stiffness * modulus + in.damping * viscosity);
+      const V even = share * in.stiffness * N;
+      if constexpr (COMPLETE)
+      {
+        const V along_rate = cube * in.stiffness * viscosity;
+#pragma GCC unroll 3
+        for (int row = 0; row < 3; ++row)
+#pragma GCC unroll 3
+          for (int column = 0; column < 3; ++column)
+          {
+            V x = t[row] * (along_t * t[column] + along_rate * rate[column]);
+            V y = SHAPE.weight[g] * in.stiffness * turning(water, t, inverse_square, row, column);
+            if (blows)
+              y += SHAPE.weight[g] * in.stiffness * turning(air, t, inverse_square, row, column);
+            if (row == column)
+            {
+              x += even;
+              y += SHAPE.weight[g] * 2.0 * in.damping * flow_speed * mass;
+            }
+            out.n_dr[3 * row + column] = x;
+            out.f_dr[3 * row + column] = y;
+          }
+      }
+      else
+      {
+#pragma GCC unroll 3
+        for (int row = 0; row < 3; ++row)
+#pragma GCC unroll 3
+          for (int column = row; column < 3; ++column)
+          {
+            V x = along_t * t[row] * t[column];
+            if (row == column)
+              x += even;
+            out.n_dr[entryOf(row, column)] = x;
+          }
+      }
+    }
+  }
+
+  double rows_a[W][8], rows_b[W][8];
+  {
+    V ra[6], rb[6];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      ra[k] = R[0][k];
+      ra[3 + k] = length * R[1][k];
+      rb[k] = R[2][k];
+      rb[3 + k] = length * R[3][k];
+    }
+    scatter<W>(ra, rows_a);
+    scatter<W>(rb, rows_b);
+  }
+  if constexpr (!TANGENT)
+  {
+    for (int e = 0; e < count; ++e)
+      for (int k = 0; k < 6; ++k)
+      {
+        in.element_residual[12 * (first + e) + k] = rows_a[e][k];
+        in.element_residual[12 * (first + e) + 6 + k] = rows_b[e][k];
+      }
+    return;
+  }
+  else
+  {
+    for (int e = 0; e < count; ++e)
+    {
+      double* node = in.residual + 6 * (first + e);
+      for (int k = 0; k < 6; ++k)
+      {
+        node[k] += rows_a[e][k];
+        node[6 + k] = rows_b[e][k];
+      }
+    }
+
+    // Sums over the points; the linear terms join on the diagonals. Slopes get their length back.
+    V scale[4] = {spread<W>(1.0), length, spread<W>(1.0), length};
+    V K[COMPLETE ? 16 : 10][COMPLETE ? 9 : 6];
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i)
+#pragma GCC unroll 4
+      for (int j = COMPLETE ? 0 : i; j < 4; ++j)
+      {
+        const V linear = in.mass * inertia * MASS_SHARE[i][j] + in.stiffness * bending * BENDING_SHARE[i][j];
+        const V both = scale[i] * scale[j];
+        V* const k = K[COMPLETE ? 4 * i + j : pairOf(i, j)];
+#pragma GCC unroll 3
+        for (int row = 0; row < 3; ++row)
+#pragma GCC unroll 3
+          for (int column = COMPLETE ? 0 : row; column < 3; ++column)
+          {
+            V x = row == column ? linear : V{};
+            const int place = COMPLETE ? 3 * row + column : entryOf(row, column);
+#pragma GCC unroll 3
+            for (int g = 0; g < POINTS; ++g)
+            {
+              x += (SHAPE.H[g][i] * SHAPE.H[g][j]) * tangent[g].f_r[entryOf(row, column)];
+              x += (SHAPE.G[g][i] * SHAPE.G[g][j]) * tangent[g].n_dr[place];
+              if constexpr (COMPLETE)
+                x += (SHAPE.H[g][i] * SHAPE.G[g][j]) * tangent[g].f_dr[place];
+            }
+            k[place] = i % 2 + j % 2 == 0 ? x : both * x;
+          }
+      }
+    const auto entry = [&](int i, int row, int j, int column)
+    {
+      if constexpr (COMPLETE)
+        return K[4 * i + j][3 * row + column];
+      else
+        return K[pairOf(i, j)][entryOf(row, column)];
+    };
+    const auto columnOf = [&](int node_row, int node_column, int column, double(*rows)[8])
+    {
+      V x[6];
+#pragma GCC unroll 6
+      for (int row = 0; row < 6; ++row)
+        x[row] = entry(2 * node_row + row / 3, row % 3, 2 * node_column + column / 3, column % 3);
+      scatter<W>(x, rows);
+    };
+#pragma GCC unroll 6
+    for (int column = 0; column < 6; ++column)
+    {
+      const int offset = column * COLUMN;
+      columnOf(0, 0, column, rows_a);
+      columnOf(1, 1, column, rows_b);
+      for (int e = 0; e < count; ++e)
+      {
+        double* node = in.diagonal + MATRIX * (first + e) + offset;
+        for (int k = 0; k < COLUMN; ++k)
+        {
+          node[k] += rows_a[e][k];
+          node[MATRIX + k] = rows_b[e][k];
+        }
+      }
+      columnOf(0, 1, column, rows_a);
+      columnOf(1, 0, column, rows_b);
+      for (int e = 0; e < count; ++e)
+        for (int k = 0; k < COLUMN; ++k)
+        {
+          in.upper[MATRIX * (first + e) + offset + k] = rows_a[e][k];
+          in.lower[MATRIX * (first + e) + offset + k] = rows_b[e][k];
+        }
+    }
+  }
+}
+
+template <int W, Task TASK>
+void allElements(const ElementBlock& in)
+{
+  for (int first = 0; first < in.count; first += W)
+    elements<W, TASK>(in, first, in.count - first < W ? in.count - first : W);
+}
+}  // namespace tether_monitor::core::kernel
