@@ -58,10 +58,19 @@ TM_INLINE void subtract(Column<W>& c, const Column<W>& m, typename Pack<W>::Vect
     c.x[i] -= factor * m.x[i];
 }
 
+// All bits of one lane.
 template <int W>
-TM_INLINE void clearRow(Column<W>& c, int row)
+TM_INLINE typename Pack<W>::Mask only(int lane)
 {
-  c.x[row / W][row % W] = 0.0;
+  typename Pack<W>::Mask m{};
+  m[lane] = -1;
+  return m;
+}
+
+template <int W>
+TM_INLINE typename Pack<W>::Vector masked(typename Pack<W>::Vector x, typename Pack<W>::Mask m)
+{
+  return reinterpret_cast<typename Pack<W>::Vector>(reinterpret_cast<typename Pack<W>::Mask>(x) & m);
 }
 
 // One chain: a node's block and right-hand side, with what the nodes eliminated before have taken off.
@@ -78,74 +87,92 @@ TM_INLINE Column<W> loadRight(const double* b)
   return loadColumn<W>(copy);
 }
 
-// Solves the node's block for its right-hand side and COLUMNS columns more. Returns the product of the pivots' signs
-// of life: zero or NaN if one is lost.
-template <int W, int COLUMNS>
-TM_INLINE typename Pack<W>::Vector eliminate(Chain<W>& c, Column<W>* more)
+// Solves the nodes' blocks of CHAINS chains for their right-hand sides and COLUMNS columns more, in step: while one
+// waits for its pivot the other one works. Returns one, or NaN if a pivot is lost.
+template <int W, int CHAINS, int COLUMNS>
+TM_INLINE typename Pack<W>::Vector eliminate(Chain<W>* chain, Column<W> (*more)[6])
 {
   using V = typename Pack<W>::Vector;
-  Column<W> inverse{};
+  Column<W> inverse[CHAINS] = {};
   V alive = spread<W>(1.0);
 #pragma GCC unroll 6
   for (int k = 0; k < 6; ++k)
-  {
-    const V reciprocal = 1.0 / lane<W>(c.D[k], k);
-    inverse.x[k / W][k % W] = reciprocal[0];
-    Column<W> m = c.D[k];
-    clearRow<W>(m, k);
+#pragma GCC unroll 2
+    for (int n = 0; n < CHAINS; ++n)
+    {
+      Chain<W>& c = chain[n];
+      const V pivot = lane<W>(c.D[k], k), reciprocal = 1.0 / pivot;
+      inverse[n].x[k / W] += masked<W>(reciprocal, only<W>(k % W));
+      Column<W> m = c.D[k];
+      m.x[k / W] = masked<W>(m.x[k / W], ~only<W>(k % W));
+#pragma GCC unroll 3
+      for (int i = 0; i < Column<W>::PACKS; ++i)
+        m.x[i] *= reciprocal;
+      alive *= reciprocal * pivot;
+#pragma GCC unroll 6
+      for (int j = k + 1; j < 6; ++j)
+        subtract<W>(c.D[j], m, lane<W>(c.D[j], k));
+      subtract<W>(c.b, m, lane<W>(c.b, k));
+#pragma GCC unroll 6
+      for (int j = 0; j < COLUMNS; ++j)
+        subtract<W>(more[n][j], m, lane<W>(more[n][j], k));
+    }
+#pragma GCC unroll 2
+  for (int n = 0; n < CHAINS; ++n)
 #pragma GCC unroll 3
     for (int i = 0; i < Column<W>::PACKS; ++i)
-      m.x[i] *= reciprocal;
-    alive *= reciprocal * lane<W>(c.D[k], k);
+    {
+      chain[n].b.x[i] *= inverse[n].x[i];
 #pragma GCC unroll 6
-    for (int j = k + 1; j < 6; ++j)
-      subtract<W>(c.D[j], m, lane<W>(c.D[j], k));
-    subtract<W>(c.b, m, lane<W>(c.b, k));
-#pragma GCC unroll 6
-    for (int j = 0; j < COLUMNS; ++j)
-      subtract<W>(more[j], m, lane<W>(more[j], k));
-  }
-#pragma GCC unroll 3
-  for (int i = 0; i < Column<W>::PACKS; ++i)
-  {
-    c.b.x[i] *= inverse.x[i];
-#pragma GCC unroll 6
-    for (int j = 0; j < COLUMNS; ++j)
-      more[j].x[i] *= inverse.x[i];
-  }
+      for (int j = 0; j < COLUMNS; ++j)
+        more[n][j].x[i] *= inverse[n].x[i];
+    }
   return alive;
 }
 
-// Eliminates a node: `right` couples its rows to the next node's unknowns, `left` the next node's rows to its own.
-template <int W>
-TM_INLINE typename Pack<W>::Vector advance(Chain<W>& c, const double* right, const double* left, const double* next,
-                                           const double* next_b, double* kept)
+// A node to be eliminated: `right` couples its rows to the next node's unknowns, `left` the next node's rows to its
+// own; `next` and `next_b` are the next node's.
+struct Link
+{
+  const double *right, *left, *next, *next_b;
+  double* kept;
+};
+
+template <int W, int CHAINS>
+TM_INLINE typename Pack<W>::Vector advance(Chain<W>* chain, const Link* link)
 {
   using V = typename Pack<W>::Vector;
-  Column<W> X[6];
-#pragma GCC unroll 6
-  for (int j = 0; j < 6; ++j)
-    X[j] = loadColumn<W>(right + j * COLUMN);
-  const V alive = eliminate<W, 6>(c, X);
-#pragma GCC unroll 6
-  for (int j = 0; j < 6; ++j)
-    storeColumn<W>(kept + j * COLUMN, X[j]);
-  storeColumn<W>(kept + MATRIX, c.b);
-
-#pragma GCC unroll 6
-  for (int j = 0; j < 6; ++j)
-    c.D[j] = loadColumn<W>(next + j * COLUMN);
-  Column<W> b = loadRight<W>(next_b);
-#pragma GCC unroll 6
-  for (int k = 0; k < 6; ++k)
-  {
-    const Column<W> m = loadColumn<W>(left + k * COLUMN);
-    subtract<W>(b, m, lane<W>(c.b, k));
+  Column<W> X[CHAINS][6];
+#pragma GCC unroll 2
+  for (int n = 0; n < CHAINS; ++n)
 #pragma GCC unroll 6
     for (int j = 0; j < 6; ++j)
-      subtract<W>(c.D[j], m, lane<W>(X[j], k));
+      X[n][j] = loadColumn<W>(link[n].right + j * COLUMN);
+  const V alive = eliminate<W, CHAINS, 6>(chain, X);
+#pragma GCC unroll 2
+  for (int n = 0; n < CHAINS; ++n)
+  {
+    Chain<W>& c = chain[n];
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j)
+      storeColumn<W>(link[n].kept + j * COLUMN, X[n][j]);
+    storeColumn<W>(link[n].kept + MATRIX, c.b);
+
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j)
+      c.D[j] = loadColumn<W>(link[n].next + j * COLUMN);
+    Column<W> b = loadRight<W>(link[n].next_b);
+#pragma GCC unroll 6
+    for (int k = 0; k < 6; ++k)
+    {
+      const Column<W> m = loadColumn<W>(link[n].left + k * COLUMN);
+      subtract<W>(b, m, lane<W>(c.b, k));
+#pragma GCC unroll 6
+      for (int j = 0; j < 6; ++j)
+        subtract<W>(c.D[j], m, lane<W>(X[n][j], k));
+    }
+    c.b = b;
   }
-  c.b = b;
   return alive;
 }
 
@@ -179,7 +206,8 @@ bool solveBlocks(const BlockSystem& s)
   using V = typename Pack<W>::Vector;
   constexpr int KEPT = MATRIX + COLUMN;
   const int last = s.nodes - 1, middle = s.nodes / 2;
-  Chain<W> up, down;
+  Chain<W> chain[2];
+  Chain<W>&down = chain[0], &up = chain[1];
 #pragma GCC unroll 6
   for (int j = 0; j < 6; ++j)
   {
@@ -189,30 +217,29 @@ bool solveBlocks(const BlockSystem& s)
   down.b = loadRight<W>(s.b);
   up.b = loadRight<W>(s.b + 6 * last);
 
-  // `down` goes 0, 1, ... to the middle, `up` last, last - 1, ... to it.
+  // `down` goes 0, 1, ... to the middle, `up` last, last - 1, ... to it; `down` has a step more if the number of nodes is even.
   V alive = spread<W>(1.0);
   int i = 0, j = last;
-  const auto stepDown = [&]()
+  const auto linkDown = [&]() -> Link
   {
-    alive *= advance<W>(down, s.upper + MATRIX * i, s.lower + MATRIX * i, s.diagonal + MATRIX * (i + 1),
-                        s.b + 6 * (i + 1), s.scratch + KEPT * i);
-    ++i;
+    return {s.upper + MATRIX * i, s.lower + MATRIX * i, s.diagonal + MATRIX * (i + 1), s.b + 6 * (i + 1),
+            s.scratch + KEPT * i};
   };
-  const auto stepUp = [&]()
+  const auto linkUp = [&]() -> Link
   {
-    alive *= advance<W>(up, s.lower + MATRIX * (j - 1), s.upper + MATRIX * (j - 1), s.diagonal + MATRIX * (j - 1),
-                        s.b + 6 * (j - 1), s.scratch + KEPT * j);
-    --j;
+    return {s.lower + MATRIX * (j - 1), s.upper + MATRIX * (j - 1), s.diagonal + MATRIX * (j - 1),
+            s.b + 6 * (j - 1), s.scratch + KEPT * j};
   };
-  while (i < middle && j > middle)
+  for (; i < middle && j > middle; ++i, --j)
   {
-    stepDown();
-    stepUp();
+    const Link links[2] = {linkDown(), linkUp()};
+    alive *= advance<W, 2>(chain, links);
   }
-  while (i < middle)
-    stepDown();
-  while (j > middle)
-    stepUp();
+  if (i < middle)
+  {
+    const Link link = linkDown();
+    alive *= advance<W, 1>(&down, &link);
+  }
 
   // Both chains hold the middle's block: each less what its own side took off.
 #pragma GCC unroll 6
@@ -225,7 +252,7 @@ bool solveBlocks(const BlockSystem& s)
   const Column<W> whole = loadRight<W>(s.b + 6 * middle);
   for (int p = 0; p < Column<W>::PACKS; ++p)
     down.b.x[p] += up.b.x[p] - whole.x[p];
-  alive *= eliminate<W, 0>(down, nullptr);
+  alive *= eliminate<W, 1, 0>(&down, nullptr);
   storeRight<W>(s.b + 6 * middle, down.b);
 
   Column<W> x = down.b, y = down.b;

@@ -399,22 +399,20 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
     }
   }
 
-  double rows_a[W][8], rows_b[W][8];
-  {
-    V ra[6], rb[6];
+  V own[6], next[6];  // what the nodes a and b receive
 #pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k)
-    {
-      ra[k] = R[0][k];
-      ra[3 + k] = length * R[1][k];
-      rb[k] = R[2][k];
-      rb[3 + k] = length * R[3][k];
-    }
-    scatter<W>(ra, rows_a);
-    scatter<W>(rb, rows_b);
+  for (int k = 0; k < 3; ++k)
+  {
+    own[k] = R[0][k];
+    own[3 + k] = length * R[1][k];
+    next[k] = R[2][k];
+    next[3 + k] = length * R[3][k];
   }
   if constexpr (!TANGENT)
   {
+    double rows_a[W][8], rows_b[W][8];
+    scatter<W>(own, rows_a[0], 8, W);
+    scatter<W>(next, rows_b[0], 8, W);
     for (int e = 0; e < count; ++e)
       for (int k = 0; k < 6; ++k)
       {
@@ -425,14 +423,22 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
   }
   else
   {
-    for (int e = 0; e < count; ++e)
+    const int last = count - 1;
     {
-      double* node = in.residual + 6 * (first + e);
+      double rows[W][8];
+      V sum[6];
+#pragma GCC unroll 6
       for (int k = 0; k < 6; ++k)
-      {
-        node[k] += rows_a[e][k];
-        node[6 + k] = rows_b[e][k];
-      }
+        sum[k] = own[k] + fromBefore<W>(next[k]);
+      scatter<W>(sum, rows[0], 8, W);
+      double* node = in.residual + 6 * first;
+      for (int k = 0; k < 6; ++k)
+        node[k] += rows[0][k];
+      for (int e = 1; e < count; ++e)
+        for (int k = 0; k < 6; ++k)
+          node[6 * e + k] = rows[e][k];
+      for (int k = 0; k < 6; ++k)
+        node[6 * count + k] = next[k][last];
     }
 
     // Sums over the points; the linear terms join on the diagonals. Slopes get their length back.
@@ -471,37 +477,32 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
       else
         return K[pairOf(i, j)][entryOf(row, column)];
     };
-    const auto columnOf = [&](int node_row, int node_column, int column, double(*rows)[8])
+    const auto columnOf = [&](int node_row, int node_column, int column, V* x)
     {
-      V x[6];
 #pragma GCC unroll 6
       for (int row = 0; row < 6; ++row)
         x[row] = entry(2 * node_row + row / 3, row % 3, 2 * node_column + column / 3, column % 3);
-      scatter<W>(x, rows);
     };
 #pragma GCC unroll 6
     for (int column = 0; column < 6; ++column)
     {
-      const int offset = column * COLUMN;
-      columnOf(0, 0, column, rows_a);
-      columnOf(1, 1, column, rows_b);
-      for (int e = 0; e < count; ++e)
+      const int offset = MATRIX * first + column * COLUMN;
+      V x[6], y[6];
+      columnOf(0, 1, column, x);
+      scatter<W>(x, in.upper + offset, MATRIX, count);
+      columnOf(1, 0, column, x);
+      scatter<W>(x, in.lower + offset, MATRIX, count);
+      columnOf(0, 0, column, x);
+      columnOf(1, 1, column, y);
+      double* after = in.diagonal + offset + MATRIX * count;
+#pragma GCC unroll 6
+      for (int row = 0; row < 6; ++row)
       {
-        double* node = in.diagonal + MATRIX * (first + e) + offset;
-        for (int k = 0; k < COLUMN; ++k)
-        {
-          node[k] += rows_a[e][k];
-          node[MATRIX + k] = rows_b[e][k];
-        }
+        x[row] += fromBefore<W>(y[row]);
+        after[row] = y[row][last];
       }
-      columnOf(0, 1, column, rows_a);
-      columnOf(1, 0, column, rows_b);
-      for (int e = 0; e < count; ++e)
-        for (int k = 0; k < COLUMN; ++k)
-        {
-          in.upper[MATRIX * (first + e) + offset + k] = rows_a[e][k];
-          in.lower[MATRIX * (first + e) + offset + k] = rows_b[e][k];
-        }
+      after[6] = after[7] = 0.0;
+      scatter<W>(x, in.diagonal + offset, MATRIX, count, true);
     }
   }
 }

@@ -152,9 +152,10 @@ TM_INLINE void gather(const double* base, int stride, V* out)
   }
 }
 
-// The reverse into `out`, rows of eight numbers of which the last two become zero.
+// The reverse: `count` rows of eight numbers, `stride` apart; the last two become zero. `add_first` adds to what the
+// first row holds.
 template <int W, class V>
-TM_INLINE void scatter(const V* in, double (*out)[8])
+TM_INLINE void scatter(const V* in, double* out, int stride, int count, bool add_first = false)
 {
 #pragma GCC unroll 4
   for (int piece = 0; piece < 8 / W; ++piece)
@@ -164,9 +165,34 @@ TM_INLINE void scatter(const V* in, double (*out)[8])
     for (int k = 0; k < W; ++k)
       rows[k] = piece * W + k < 6 ? in[piece * W + k] : V{};
     transpose<W>(rows);
+    double* to = out + piece * W;
+    if (add_first)
+      rows[0] += load<W>(to);
+    if (count == W)
+    {
 #pragma GCC unroll 8
-    for (int i = 0; i < W; ++i)
-      store<W>(out[i] + piece * W, rows[i]);
+      for (int i = 0; i < W; ++i)
+        store<W>(to + i * stride, rows[i]);
+    }
+    else
+    {
+#pragma GCC unroll 8
+      for (int i = 0; i < W; ++i)
+        if (i < count)
+          store<W>(to + i * stride, rows[i]);
+    }
   }
+}
+
+// What an element takes over from its neighbour before it: lane i of the answer is lane i - 1, lane 0 is zero.
+template <int W, class V>
+TM_INLINE V fromBefore(V x)
+{
+  if constexpr (W == 2)
+    return TM_SHUFFLE(W, V{}, x, 0, 2);
+  else if constexpr (W == 4)
+    return TM_SHUFFLE(W, V{}, x, 0, 4, 5, 6);
+  else
+    return TM_SHUFFLE(W, V{}, x, 0, 8, 9, 10, 11, 12, 13, 14);
 }
 }  // namespace tether_monitor::core::kernel
