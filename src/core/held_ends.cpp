@@ -8,6 +8,8 @@ namespace tether_monitor::core
 {
 namespace
 {
+constexpr double QUIET_SHARE = 0.1;  // of the dry weight: a force that counts where nothing pulls
+
 // Rounding of coordinates [m] makes strains, and so forces, uncertain by this much [N].
 double roundOff(const CableModel& model, const NodeField& q)
 {
@@ -51,7 +53,7 @@ ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonO
     hold(residual.front());
   if (held.vehicle)
     hold(residual.back());
-  ResidualSize size{0.0, options.relative_tolerance * (1e-3 * model.forceScale() + reaction) + roundOff(model, q)};
+  ResidualSize size{0.0, options.relative_tolerance * (QUIET_SHARE * model.forceScale() + reaction) + roundOff(model, q)};
   double sum = reaction;
   for (int i = 0; i < model.nodes(); ++i)
   {

@@ -10,6 +10,12 @@
 
 namespace tether_monitor::core
 {
+namespace
+{
+constexpr double SLOW = 0.02;  // a residual that falls by less in an iteration wants the complete tangent
+constexpr int EASY = 2;        // Newton iterations of a step after which the motion is taken to be smooth
+}
+
 GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radius, const NewtonOptions& options)
   : options_(options), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())
 {
@@ -33,21 +39,26 @@ void GeneralizedAlpha::prepareObstacles(const CableModel& model)
 
 void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, double h, const CableState& state)
 {
-  // The acceleration stays; (M12) gives the coordinates.
+  // After an easy step the acceleration goes on as it did: aux lags behind it by a known part of a step, (M12).
+  // Else it stays.
+  const double lag = alpha_f_ - alpha_m_;
+  const double more = state.effort <= EASY && lag > 0.05 ? 1.0 / lag : 0.0;
   trial_.time = state.time + h;
   trial_.step = h;
-  const auto aux = [&](const auto& a, const auto& b) { return ((a - alpha_m_ * b) / (1.0 - alpha_m_)).eval(); };
+  const auto next = [&](const auto& a, const auto& b) { return (a + more * (a - b)).eval(); };
+  const auto aux = [&](const auto& a, const auto& from_a, const auto& b)
+  { return (((1.0 - alpha_f_) * a + alpha_f_ * from_a - alpha_m_ * b) / (1.0 - alpha_m_)).eval(); };
   for (std::size_t i = 0; i < state.q.size(); ++i)
   {
-    trial_.a[i] = state.a[i];
-    trial_.aux[i] = aux(state.a[i], state.aux[i]);
+    trial_.a[i] = next(state.a[i], state.aux[i]);
+    trial_.aux[i] = aux(trial_.a[i], state.a[i], state.aux[i]);
     trial_.v[i] = state.v[i] + h * ((1.0 - gamma_) * state.aux[i] + gamma_ * trial_.aux[i]);
     trial_.q[i] = state.q[i] + h * state.v[i] + h * h * ((0.5 - beta_) * state.aux[i] + beta_ * trial_.aux[i]);
   }
   const auto rotate = [&](const Rotation& from, Rotation& to, Turning& turning)
   {
-    to.acceleration = from.acceleration;
-    to.aux = aux(from.acceleration, from.aux);
+    to.acceleration = next(from.acceleration, from.aux);
+    to.aux = aux(to.acceleration, from.acceleration, from.aux);
     to.velocity = from.velocity + h * ((1.0 - gamma_) * from.aux + gamma_ * to.aux);
     turning.turn = h * from.velocity + h * h * ((0.5 - beta_) * from.aux + beta_ * to.aux);
     to.orientation = from.orientation * rotationBy(turning.turn);
@@ -63,7 +74,8 @@ void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, do
   {
     const ObstacleMotion& from = state.obstacles[k];
     ObstacleMotion& to = trial_.obstacles[k];
-    to.aux = aux(from.acceleration, from.aux);
+    to.acceleration = next(from.acceleration, from.aux);
+    to.aux = aux(to.acceleration, from.acceleration, from.aux);
     to.velocity = from.velocity + h * ((1.0 - gamma_) * from.aux + gamma_ * to.aux);
     to.position = from.position + h * from.velocity + h * h * ((0.5 - beta_) * from.aux + beta_ * to.aux);
   }
@@ -73,13 +85,17 @@ void GeneralizedAlpha::predict(const CableModel& model, const EndPaths& ends, do
 }
 
 ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths& ends,
-                                        const TangentWeights& weights)
+                                        const TangentWeights& weights, Wanted wanted)
 {
   ObstacleBorder* border = pushed_.empty() ? nullptr : &border_;
   if (border)
     border->setZero();
   kernel_ = &model.kernel();
-  model.assemble(trial_, weights, residual_, tangent_, TangentKind::SYMMETRIC, border);
+  if (wanted == Wanted::RESIDUAL && !border)
+    model.assemble(trial_, residual_);
+  else
+    model.assemble(trial_, weights, residual_, tangent_,
+                   wanted == Wanted::COMPLETE ? TangentKind::COMPLETE : TangentKind::SYMMETRIC, border);
 
   double reaction = 0.0, unbalanced = 0.0;
   const auto couple = [&](const RigidBody& body, std::size_t node, const Rotation& rotation, const Wrench& thrust,
@@ -176,14 +192,16 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const EndPaths& ends, doub
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
   double previous = 0.0;
+  Wanted wanted = state.effort == 0 ? Wanted::RESIDUAL : Wanted::SYMMETRIC, tangent = Wanted::SYMMETRIC;
   for (int k = 0;; ++k)
   {
-    const ResidualSize size = assemble(model, ends, weights);
+    ResidualSize size = assemble(model, ends, weights, wanted);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
       report.status = SolveStatus::CONVERGED;
       report.steps = 1;
+      trial_.effort = report.iterations;
       trial_.vessel.orientation.normalize();
       trial_.vehicle.orientation.normalize();
       acceptContact(model, trial_);
@@ -193,6 +211,13 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const EndPaths& ends, doub
     const bool diverging = k >= 3 && size.largest > 2.0 * previous;
     if (k == options_.max_iterations || diverging)
       return report;
+    if (k >= 2 && size.largest > SLOW * previous)
+      tangent = Wanted::COMPLETE;
+    if (wanted == Wanted::RESIDUAL)
+      size = assemble(model, ends, weights, tangent);
+    // What the next residual will be if it falls as before: the tangent is made only where it will be used.
+    const double fall = k == 0 ? (state.effort <= 1 ? 0.0 : 1.0) : size.largest / previous;
+    wanted = fall * size.largest <= size.tolerance ? Wanted::RESIDUAL : tangent;
     previous = size.largest;
     ++report.iterations;
     if (!std::isfinite(size.largest) || !solve())
@@ -217,7 +242,7 @@ SolveReport GeneralizedAlpha::initialiseAcceleration(CableModel& model, const En
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.acceleration.setZero();
   placeHeldEnds(model, ends, trial_);
-  report.residual = assemble(model, ends, TangentWeights{1.0, 0.0, 0.0}).largest;
+  report.residual = assemble(model, ends, TangentWeights{1.0, 0.0, 0.0}, Wanted::SYMMETRIC).largest;
   report.iterations = 1;
   if (!std::isfinite(report.residual) || !solve())
   {

@@ -57,7 +57,6 @@ TEST_P(ElementProperty, ForceIsTheGradientOfTheEnergy)
 TEST_P(ElementProperty, TangentIsTheDerivativeOfTheResidual)
 {
   RandomElement random(GetParam());
-  random.p.added_mass = 0.0;  // its dependence on direction is left out of the tangent by design
   Environment sea;
   sea.current = CurrentProfile(Vector3(0.4, -0.3, 0.1));
   const ElementMotion& m = random.motion;

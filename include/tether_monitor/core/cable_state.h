@@ -52,6 +52,7 @@ struct CableState
 {
   double time = 0.0;                      ///< [s] of the input clock.
   double step = 0.0;                      ///< size of the last accepted step [s]; 0: take the largest allowed.
+  int effort = 0;                         ///< Newton iterations of the last accepted step.
   NodeField q;                            ///< coordinates.
   NodeField v;                            ///< first time derivative.
   NodeField a;                            ///< second time derivative; satisfies the equations of motion at `time`.

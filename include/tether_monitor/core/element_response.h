@@ -68,8 +68,7 @@ struct TangentWeights
  *
  * Model: R = M a + Q_axial + Q_bending + Q_drag + Q_weight, (M11) of doc/model.md; axial (M2)-(M5), bending (M6),
  * inertia (M7) and (M10), weight and buoyancy (M8), drag (M9). Loads and the axial term use GAUSS_POINTS.
- * Derivatives of the added mass with the direction of the tether are left out of the tangent. The arithmetic is
- * that of the kernels (kernel.h); a whole tether goes through ElementField instead, one element through here: for
+ * The arithmetic is that of the kernels (kernel.h); a whole tether goes through ElementField instead, one element through here: for
  * set-up and tests, for it allocates.
  *
  * @param p         constants of the element.

@@ -55,10 +55,19 @@ class GeneralizedAlpha
     Vector3 turn = Vector3::Zero();
   };
 
+  // The residual alone, or with one of the tangents of TangentKind.
+  enum class Wanted
+  {
+    RESIDUAL,
+    SYMMETRIC,
+    COMPLETE
+  };
+
   void predict(const CableModel& model, const EndPaths& ends, double h, const CableState& state);
 
   // Residual and iteration matrix of everything at the trial state, ready to be solved.
-  ResidualSize assemble(const CableModel& model, const EndPaths& ends, const TangentWeights& weights);
+  ResidualSize assemble(const CableModel& model, const EndPaths& ends, const TangentWeights& weights,
+                        Wanted wanted);
   bool solve();
   void correct(const CableModel& model, const TangentWeights& weights, double scale, const CableState& state);
 

@@ -5,7 +5,7 @@ namespace tether_monitor::core
 /// When Newton's iteration ends.
 struct NewtonOptions
 {
-  double relative_tolerance = 1e-8;  ///< largest residual over the force scale plus the end reactions [-], > 0.
+  double relative_tolerance = 1e-6;  ///< largest residual over the force scale plus the end reactions [-], > 0.
   int max_iterations = 10;           ///< >= 1.
 };
 

@@ -374,9 +374,13 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
             V y = SHAPE.weight[g] * in.stiffness * turning(water, t, inverse_square, row, column);
             if (blows)
               y += SHAPE.weight[g] * in.stiffness * turning(air, t, inverse_square, row, column);
+            // The normal plane of the added mass turns with the tether.
+            y -= SHAPE.weight[g] * in.stiffness * t[row] *
+                 (inverse_square * pushed[column] - 2.0 * along * inverse_square * t[column]);
             if (row == column)
             {
               x += even;
+              y -= SHAPE.weight[g] * in.stiffness * along;
               y += SHAPE.weight[g] * 2.0 * in.damping * flow_speed * mass;
             }
             out.n_dr[3 * row + column] = x;
