@@ -46,26 +46,6 @@ Vector3 loadAt(const ElementParameters& e, const Sea& sea, const Vector3& r, con
   load.z() -= sea.gravity() * (e.mass - sea.density() * e.area * share);
   return load;
 }
-
-// The same on a straight tether along the chord, averaged over its depth.
-Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity)
-{
-  const Sea& sea = model.sea();
-  Vector3 load = Vector3::Zero();
-  constexpr int SAMPLES = 8;
-  for (int i = 0; i < SAMPLES; ++i)
-  {
-    const Vector3 r = vessel + (i + 0.5) / SAMPLES * (vehicle - vessel);
-    load += loadAt(model.element(i * model.elements() / SAMPLES), sea, r, vehicle - vessel, velocity);
-  }
-  load /= SAMPLES;
-  for (const PointLoad& point : model.pointLoads())
-    load -= pointLoadResidual(point, sea, 0.0,
-                              vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel), velocity,
-                              Vector3::Zero(), TangentWeights{}, nullptr) /
-            model.length();
-  return load;
-}
 }  // namespace
 
 Catenary::Catenary(const Vector3& from, const Vector3& to, double length, const Vector3& load, double least_radius)
@@ -109,6 +89,25 @@ Vector3 Catenary::position(double s) const
   const double u = (vertex_ - s) / a;
   return from_ + a * (std::asinh(u0) - std::asinh(u)) * along_ +
          a * (std::hypot(1.0, u0) - std::hypot(1.0, u)) * down_;
+}
+
+Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity)
+{
+  const Sea& sea = model.sea();
+  Vector3 load = Vector3::Zero();
+  constexpr int SAMPLES = 8;
+  for (int i = 0; i < SAMPLES; ++i)
+  {
+    const Vector3 r = vessel + (i + 0.5) / SAMPLES * (vehicle - vessel);
+    load += loadAt(model.element(i * model.elements() / SAMPLES), sea, r, vehicle - vessel, velocity);
+  }
+  load /= SAMPLES;
+  for (const PointLoad& point : model.pointLoads())
+    load -= pointLoadResidual(point, sea, 0.0,
+                              vessel + model.arcLength(point.node) / model.length() * (vehicle - vessel), velocity,
+                              Vector3::Zero(), TangentWeights{}, nullptr) /
+            model.length();
+  return load;
 }
 
 NodeField initialShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tether_monitor/core/initial_shape.h"
+
 namespace tether_monitor::core
 {
 namespace
@@ -23,7 +25,7 @@ struct Leg
   double slope(double s) const { return s / a; }
 };
 
-// What lies on the floor: an arc in plan of a given length over a given chord; straight if they are equal.
+// What rests on the level: in plan an arc of a given length over a given chord, straight if they are equal.
 struct Arc
 {
   Arc(double arc_length, double arc_chord) : length(arc_length)
@@ -58,13 +60,14 @@ struct Arc
 
   double length, half_angle;
 };
-}  // namespace
 
-NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle)
+// A surface that a tether comes to from one side: its height under or over a point, and where it lies on it.
+template <typename Level>
+NodeField restingShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, double side,
+                       const Vector3& drift, const Level& levelAt)
 {
   const double L = model.length(), l = L / model.elements();
-  const auto heightOver = [&](const Vector3& p)
-  { return std::max(p.z() - model.sea().floorAt(p).z - 0.5 * model.element(0).diameter, 0.0); };
+  const auto heightOver = [&](const Vector3& p) { return std::max(side * (p.z() - levelAt(p)), 0.0); };
   Leg first{heightOver(vessel), 1.0}, last{heightOver(vehicle), 1.0};
   Vector3 way = vehicle - vessel;
   way.z() = 0.0;
@@ -102,6 +105,10 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
   const double chord = span - first.span() - last.span();
   const Arc arc(lying, std::abs(chord));
   const double direction = chord < 0.0 ? -1.0 : 1.0;
+  // In a flow it trails: a catenary in plan.
+  const bool trails = drift.norm() > 0.0;
+  const Vector3 foot = first.span() * ahead;
+  const Catenary trail(foot, foot + chord * ahead, std::max(lying, 1e-9), trails ? drift : aside, least);
 
   NodeField shape(model.nodes());
   for (int i = 0; i < model.nodes(); ++i)
@@ -114,6 +121,13 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
       x = first.span() - first.along(from_floor);
       up = first.up(from_floor);
       slope = -first.slope(from_floor);
+    }
+    else if (s <= first.length() + lying && trails)
+    {
+      const Vector3 place = trail.position(s - first.length()), t = trail.tangent(s - first.length());
+      x = place.dot(ahead);
+      y = place.dot(aside);
+      heading = std::atan2(t.dot(aside), t.dot(ahead));
     }
     else if (s <= first.length() + lying)
     {
@@ -130,14 +144,37 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
       slope = last.slope(from_floor);
     }
     Vector3 r = vessel + x * ahead + y * aside;
-    r.z() = model.sea().floorAt(r).z + 0.5 * model.element(0).diameter + up;
+    r.z() = levelAt(r) + side * up;
     const Vector3 t =
-        (std::cos(heading) * ahead + std::sin(heading) * aside + slope * Vector3::UnitZ()).normalized();
+        (std::cos(heading) * ahead + std::sin(heading) * aside + side * slope * Vector3::UnitZ()).normalized();
     shape[i] << r, t;
   }
   shape.front().head<3>() = vessel;
   shape.back().head<3>() = vehicle;
   return shape;
+}
+}  // namespace
+
+NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle)
+{
+  const double radius = 0.5 * model.element(0).diameter;
+  return restingShape(model, vessel, vehicle, 1.0, Vector3::Zero(),
+                      [&](const Vector3& p) { return model.sea().floorAt(p).z + radius; });
+}
+
+NodeField floatingShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& drift)
+{
+  const double level = floatingHeight(model).value_or(0.0);
+  return restingShape(model, vessel, vehicle, -1.0, drift, [&](const Vector3&) { return level; });
+}
+
+std::optional<double> floatingHeight(const CableModel& model)
+{
+  const ElementParameters& e = model.element(0);
+  const double displaced = model.sea().density() * e.area;
+  if (!(e.mass < displaced))
+    return std::nullopt;
+  return e.diameter * (0.5 - e.mass / displaced);
 }
 
 }  // namespace tether_monitor::core

@@ -11,7 +11,8 @@ Regularisation regularisation(const CableProperties& p, double element_length, d
   const double EI_min = 0.2 * weight * std::pow(element_length, 4) / p.length;
   const double EI = std::max(p.bending_stiffness, EI_min);
   const double push = std::cbrt(weight * weight * EI);
-  return {std::max(1e-3 * weight * p.length, 4.0 * push), 1e-5, EI};
+  const double loop = 60.0 * EI / (p.length * p.length);
+  return {std::max({1e-3 * weight * p.length, 4.0 * push, loop}), 1e-5, EI};
 }
 
 }  // namespace tether_monitor::core

@@ -67,12 +67,13 @@ SolveReport settleContact(const CableModel& model, CableState& state)
   return total;
 }
 
-SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
+SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, const NodeField& start,
+                           NodeField& shape)
 {
   constexpr double STRETCH = 5.0, LONGEST = 150.0;  // [s]
   constexpr double STILL = 0.02, SLOW = 0.1;        // [m/s]
   CableModel calm = quiet(model);
-  CableState state(0.0, startingShape(calm, ends), ends.velocity);
+  CableState state(0.0, start, ends.velocity);
   state.q.front().head<3>() = ends.vessel;
   if (!model.bodies().vehicle)
     state.q.back().head<3>() = ends.vehicle;
@@ -102,6 +103,29 @@ SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, Node
     }
   }
   total.status = SolveStatus::NOT_CONVERGED;
+  return total;
+}
+
+SolveReport findSteadyState(Statics& statics, const CableModel& model, const SteadyEnds& ends, NodeField& shape)
+{
+  SolveReport total = statics.solve(model, ends, shape);
+  // As the paper does it: let it move until it is steady. First from where the search ended, then from the curve.
+  for (int attempt = 0; attempt < 2 && !total.converged(); ++attempt)
+  {
+    const bool from_search = attempt == 0 && total.status != SolveStatus::FALSE_BRANCH;
+    const NodeField start = from_search ? statics.lastShape() : startingShape(model, ends);
+    NodeField moved;
+    SolveReport report = settleByMotion(model, ends, start, moved);
+    report.addCost(total);
+    total = report;
+    if (!report.converged())
+      continue;
+    shape = moved;
+    report = statics.solveFrom(model, ends, moved);
+    total.addCost(report);
+    if (report.converged())
+      shape = moved;
+  }
   return total;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tether_monitor/core/held_ends.h"
 #include "tether_monitor/core/initial_shape.h"
@@ -15,8 +16,10 @@ namespace
 {
 constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is folded
 constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
-constexpr double HELPER_STIFFNESS = 0.1;  // EI / (m g l^3) of the helper [-]
+constexpr double HELPER_STIFFNESS[] = {100.0, 10.0, 1.0, 0.1};  // EI / (m g l^3) of the helpers [-]
 constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};  // of their stiffness
+constexpr double CREEPS = 3e-5;  // residual over the weight scale with which a slack tether counts as at rest
+constexpr double ON_THE_WAY = 1e-4;   // relative tolerance of the first steps
 constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
@@ -70,12 +73,54 @@ bool dipsBelowFloor(const CableModel& model, const NodeField& shape)
   return false;
 }
 
+bool risesAbove(double height, const NodeField& shape)
+{
+  return std::any_of(shape.begin() + 1, shape.end() - 1, [&](const NodeCoords& node) { return node.z() > height; });
+}
+
+// How much of a tether that is lighter than water a body holds down [m].
+double heldDown(const CableModel& model, const SteadyEnds& ends)
+{
+  const Vector3 pull = steadyForce(*model.bodies().vehicle, model.sea(), {0.0, 0.0, -100.0}, ends.velocity);
+  const ElementParameters& e = model.element(0);
+  const double lift = model.sea().gravity() * (model.sea().density() * e.area - e.mass);
+  return std::clamp(-pull.z() / lift, 0.0, model.length());
+}
+
+// A tether that floats between its ends, or from the vessel to where its body hangs down.
+NodeField floatingStart(const CableModel& model, const SteadyEnds& ends, double level)
+{
+  constexpr double TIGHT = 0.9;  // share of the floating length that lies between the ends
+  Vector3 end = ends.vehicle;
+  if (model.bodies().vehicle)
+  {
+    const Vector3 pull = steadyForce(*model.bodies().vehicle, model.sea(), {0.0, 0.0, -100.0}, ends.velocity);
+    const double hangs = std::min(heldDown(model, ends), 0.9 * model.length());
+    const double drift = std::hypot(pull.x(), pull.y());
+    const Vector3 away = drift > 0.0 ? Vector3(pull.x() / drift, pull.y() / drift, 0.0) : Vector3::UnitX();
+    const double down = std::max(level - ends.vessel.z(), 0.0);
+    end = ends.vessel + TIGHT * std::max(model.length() - hangs - down, 0.0) * away;
+    end.z() = level - hangs;
+  }
+  Vector3 drift = netLoad(model, {ends.vessel.x(), ends.vessel.y(), -1.0}, {end.x(), end.y(), -1.0}, ends.velocity);
+  drift.z() = 0.0;
+  return floatingShape(model, ends.vessel, end, drift);
+}
+
 // The curve that the tether takes without obstacles, more or less.
 NodeField freeShape(const CableModel& model, const SteadyEnds& ends)
 {
   const bool hangs = model.bodies().vehicle.has_value();
   const NodeField shape = hangs ? hangingShape(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
                                 : initialShape(model, ends.vessel, ends.vehicle, ends.velocity);
+  const std::optional<double> afloat = floatingHeight(model);
+  const bool rises = afloat && (hangs ? heldDown(model, ends) < 0.95 * model.length()
+                                      : risesAbove(*afloat + model.element(0).diameter, shape));
+  if (rises)
+  {
+    const NodeField floating = floatingStart(model, ends, *afloat);
+    return floating.empty() ? shape : floating;
+  }
   if (!model.sea().hasSeabed() || !dipsBelowFloor(model, shape))
     return shape;
   const NodeField laid = laidShape(model, ends.vessel, hangs ? Vector3(shape.back().head<3>()) : ends.vehicle);
@@ -118,7 +163,7 @@ NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
 }
 
 Statics::Statics(int nodes, const StaticsOptions& options)
-  : options_(options), start_(nodes, NodeCoords::Zero()), residual_(start_), tangent_(nodes)
+  : options_(options), start_(nodes, NodeCoords::Zero()), residual_(start_), start_residual_(start_), tangent_(nodes)
 {
 }
 
@@ -150,12 +195,11 @@ SolveReport Statics::solve(const CableModel& model, const SteadyEnds& ends, Node
   {
     // A stiffer tether has no bights that the mesh cannot carry; its steady state is a better start.
     found = startingShape(model, ends);
-    const SolveReport stiff = solveFrom(model.stiffened(HELPER_STIFFNESS), ends, found);
-    const SolveReport again = solveFrom(model, ends, found);
-    const SolveReport first = report;
-    report = again;
-    report.addCost(first);
-    report.addCost(stiff);
+    for (const double stiffness : HELPER_STIFFNESS)
+      report.addCost(solveFrom(model.stiffened(stiffness), ends, found));
+    const SolveReport before = report;
+    report = solveFrom(model, ends, found);
+    report.addCost(before);
   }
   if (!report.converged() && !model.environment().obstacles.empty())
   {
@@ -196,13 +240,18 @@ SolveReport Statics::relax(const CableModel& model)
   NodeField& q = trial_.q;
   // First step: the mean load per metre moves a free tether by FIRST_MOVE of its length.
   const double tau_0 = FIRST_MOVE * model.length() / (model.forceScale() / model.length());
-  double tau = tau_0;
+  double tau = tau_0, unbalanced = std::numeric_limits<double>::infinity();
   int iterations_left = options_.max_iterations;
   while (iterations_left > 0)
   {
     start_ = q;
     const bool is_newton = tau >= NEWTON_TAU * tau_0;
-    const SolveReport report = flow(model, is_newton ? 0.0 : 1.0 / tau, iterations_left);
+    // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
+    NewtonOptions newton = options_.newton;
+    if (!is_newton)
+      newton.relative_tolerance =
+          std::max(newton.relative_tolerance, ON_THE_WAY / std::sqrt(std::max(tau / tau_0, 1.0)));
+    const SolveReport report = flow(model, is_newton ? 0.0 : 1.0 / tau, newton, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;
     total.status = report.status;
@@ -216,13 +265,18 @@ SolveReport Statics::relax(const CableModel& model)
       continue;
     }
     ++total.steps;
+    unbalanced = 0.0;
     if (is_newton)
       return total;
+    for (int i = 0; i < model.nodes(); ++i)
+      unbalanced = std::max(unbalanced, (q[i] - start_[i]).head<3>().norm() / tau * model.length() / model.elements());
     if (trial_.contact.friction != FrictionMode::SLIDING)
       acceptContact(model, trial_);
     tau *= report.iterations <= 4 ? 4.0 : 1.5;
   }
-  total.status = SolveStatus::BUDGET_SPENT;
+  // A slack tether that floats, or weighs nothing, creeps: nothing holds it in its place.
+  total.residual = unbalanced;
+  total.status = unbalanced <= CREEPS * (0.1 * model.forceScale()) ? SolveStatus::CONVERGED : SolveStatus::BUDGET_SPENT;
   return total;
 }
 
@@ -244,15 +298,19 @@ ResidualSize Statics::assemble(const CableModel& model, double scale, const Newt
   return holdEnds(model, trial_.q, newton, steadyHeld(model), residual_, reaction);
 }
 
-SolveReport Statics::flow(const CableModel& model, double scale, int& iterations_left)
+bool Statics::solve(const CableModel& model)
+{
+  start_residual_ = residual_;
+  if (tangent_.solve(model.kernel(), residual_))
+    return true;
+  residual_ = start_residual_;
+  return tangent_.solvePivoted(residual_);
+}
+
+SolveReport Statics::flow(const CableModel& model, double scale, const NewtonOptions& newton, int& iterations_left)
 {
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
-
-  // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
-  NewtonOptions newton = options_.newton;
-  if (scale > 0.0)
-    newton.relative_tolerance = std::max(newton.relative_tolerance, 1e-4);
   double previous = 0.0;
   for (int k = 0;; ++k)
   {
@@ -266,17 +324,19 @@ SolveReport Statics::flow(const CableModel& model, double scale, int& iterations
     const bool diverging = k >= 12 && size.largest > 100.0 * previous;
     if (k == newton.max_iterations || iterations_left <= 0 || diverging)
       return report;
+    // A Newton that goes round in circles at a kink of a law comes out of them with shorter steps.
+    const double share = k >= 14 && size.largest > 0.5 * previous ? 0.5 : 1.0;
     previous = size.largest;
     holdEnds(steadyHeld(model), tangent_);
     ++report.iterations;
     --iterations_left;
-    if (!std::isfinite(size.largest) || !tangent_.solvePivoted(residual_))
+    if (!std::isfinite(size.largest) || !solve(model))
     {
       report.status = SolveStatus::SINGULAR;
       return report;
     }
     for (int i = 0; i < model.nodes(); ++i)
-      trial_.q[i] -= residual_[i];
+      trial_.q[i] -= share * residual_[i];
   }
 }
 

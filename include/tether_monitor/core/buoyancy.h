@@ -23,12 +23,8 @@ struct Submersion
  */
 inline Submersion submersion(double z, double extent)
 {
-  const double share = 0.5 - z / extent;
-  if (share <= 0.0)
-    return {0.0, 0.0};
-  if (share >= 1.0)
-    return {1.0, 0.0};
-  return {share, 1.0 / extent};
+  const double x = std::clamp(2.0 * z / extent, -1.0, 1.0);
+  return {0.5 + 0.25 * x * (x * x - 3.0), 1.5 * (1.0 - x * x) / extent};
 }
 
 }  // namespace tether_monitor::core

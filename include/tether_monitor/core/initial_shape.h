@@ -4,6 +4,9 @@
 
 namespace tether_monitor::core
 {
+/// Weight and drag per metre [N/m] on a straight tether along the chord, averaged over its depth.
+Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity);
+
 /// A plane catenary of given length between two points under a uniform load, inextensible. (M15) of doc/model.md.
 class Catenary
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "tether_monitor/core/cable_model.h"
 
 namespace tether_monitor::core
@@ -13,5 +15,13 @@ namespace tether_monitor::core
  * @return                 coordinates of every node; empty if a tether of this length does not reach the floor.
  */
 NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle);
+
+/// The same upside down for a tether lighter than water that reaches the surface: what is left floats there, and
+/// trails where `drift`, the horizontal load per metre [N/m], carries it.
+NodeField floatingShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+                        const Vector3& drift);
+
+/// Height at which a piece of the tether floats by itself [m]; nothing if it sinks.
+std::optional<double> floatingHeight(const CableModel& model);
 
 }  // namespace tether_monitor::core

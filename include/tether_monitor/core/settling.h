@@ -17,12 +17,20 @@ namespace tether_monitor::core
 SolveReport settleContact(const CableModel& model, CableState& state);
 
 /**
- * Steady shape by motion, the paper's "solution setting": from the starting curve with its ends in uniform motion
- * until no point moves faster than 2 cm/s against them, or 10 cm/s after 150 s. For tethers whose steady state
+ * Steady shape by motion, the paper's "solution setting": from a curve with its ends in uniform motion until no point moves faster than 2 cm/s against them, or 10 cm/s after 150 s. For tethers whose steady state
  * Newton does not find: a neutral slack one hardly has any.
+ *
+ * @param start  the curve to start from.
+ * @param shape  out: unchanged unless the report says converged.
+ */
+SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, const NodeField& start,
+                           NodeField& shape);
+
+/**
+ * The steady state by all means: Statics::solve(); if it fails, motion until nothing moves, and from there again.
  *
  * @param shape  out: unchanged unless the report says converged.
  */
-SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
+SolveReport findSteadyState(Statics& statics, const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
 }  // namespace tether_monitor::core

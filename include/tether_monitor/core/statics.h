@@ -53,16 +53,22 @@ class Statics
   /// As solve(), starting from the curve in `shape`, whose ends are moved to `ends`.
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
+ 
+  /// Where the last search ended, found or not.
+  const NodeField& lastShape() const { return trial_.q; }
+
  private:
   // The flow from trial_ to its end.
   SolveReport relax(const CableModel& model);
   // One backward Euler step from start_; scale is 1 / dtau, 0 for Newton's method on R = 0.
-  SolveReport flow(const CableModel& model, double scale, int& iterations_left);
+  SolveReport flow(const CableModel& model, double scale, const NewtonOptions& newton, int& iterations_left);
+  // Solves for the step, with pivoting where it does not go without.
+  bool solve(const CableModel& model);
   ResidualSize assemble(const CableModel& model, double scale, const NewtonOptions& newton);
 
   StaticsOptions options_;
   CableState trial_;
-  NodeField start_, residual_;
+  NodeField start_, residual_, start_residual_;
   BlockTridiagonal tangent_;
 };
 

@@ -278,9 +278,9 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
     const bool emerges = any<W>(!(height < -0.5 * extent));
     if (emerges)
     {
-      const V share = 0.5 - height / extent;
-      wet = smaller(larger(share, V{}), spread<W>(1.0));
-      wet_slope = share > 0.0 && share < 1.0 ? 1.0 / extent : V{};
+      const V x = smaller(larger(2.0 * height / extent, spread<W>(-1.0)), spread<W>(1.0));
+      wet = 0.5 + 0.25 * x * (x * x - 3.0);
+      wet_slope = 1.5 * (1.0 - x * x) / extent;
     }
     V shrunk = spread<W>(1.0), shrinking{};
     if (in.has_compression)

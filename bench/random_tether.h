@@ -1,0 +1,44 @@
+#pragma once
+
+#include <random>
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/statics.h"
+
+namespace tether_monitor::bench
+{
+/// A tether with its ends, drawn by chance: the same for the same seed, everywhere.
+struct RandomTether
+{
+  core::CableProperties tether;
+  core::Environment sea;
+  core::EndBodies bodies;
+  core::SteadyEnds ends;
+};
+
+/// Numbers drawn from a seed. Own arithmetic on the generator's bits: the library's distributions differ between
+/// libraries.
+class Dice
+{
+ public:
+  explicit Dice(unsigned seed) : bits_(seed) {}
+  double uniform(double from, double to) { return from + (to - from) * (static_cast<double>(bits_()) / 4294967296.0); }
+  /// Evenly spread in its logarithm.
+  double scale(double from, double to);
+  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
+  /// A direction, evenly spread over the sphere.
+  core::Vector3 direction();
+
+ private:
+  std::mt19937 bits_;
+};
+
+/// A tether that could be built and used: 1 m to 10 km, 2 mm to 0.3 m, buoyant to chain, EA 1e3 to 1e9 N; own weight and
+/// drag stretch it by 5 % at most. Ends from together to 1 % too far apart, a quarter of them with a body, half of
+/// them in motion or in a current.
+RandomTether sensibleTether(Dice& dice);
+
+/// Any tether within the bounds of the parameters: lengths, stiffness and diameter by themselves, ends up to 20 % too far
+/// apart.
+RandomTether wildTether(Dice& dice);
+}  // namespace tether_monitor::bench
