@@ -70,7 +70,7 @@ SolveReport settleContact(const CableModel& model, CableState& state)
 SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, const NodeField& start,
                            NodeField& shape)
 {
-  constexpr double STRETCH = 5.0, LONGEST = 150.0;  // [s]
+  constexpr double QUICK = 50.0, LONGEST = 1000.0;  // [s]: small steps at first, large ones later
   constexpr double STILL = 0.02, SLOW = 0.1;        // [m/s]
   CableModel calm = quiet(model);
   CableState state(0.0, start, ends.velocity);
@@ -82,25 +82,29 @@ SolveReport settleByMotion(const CableModel& model, const SteadyEnds& ends, cons
   options.step = 0.1;
   options.spectral_radius = 0.0;
   Stepper stepper(calm, options);
+  options.step = 1.0;
+  Stepper later(calm, options);
   EndPaths paths;
   paths.vessel = EndPath::uniform(0.0, {ends.vessel, ends.velocity});
   paths.vehicle = EndPath::uniform(0.0, {ends.vehicle, ends.velocity});
   SolveReport total;
-  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
+  double stretch = 5.0;
+  for (double t = stretch; t <= LONGEST; t += stretch)
   {
-    const SolveReport report = stepper.advance(calm, paths, t, state);
+    const SolveReport report = (t <= QUICK ? stepper : later).advance(calm, paths, t, state);
     total.addCost(report);
     total.status = report.status;
     if (!report.converged())
       return total;
     const double fastest = fastestAgainst(state, ends.velocity);
-    if (fastest < STILL || (fastest < SLOW && t + STRETCH > LONGEST))
+    if (fastest < STILL || (fastest < SLOW && t + stretch > LONGEST))
     {
       shape = state.q;
       for (NodeCoords& node : shape)
         node.head<3>() -= t * ends.velocity;
       return total;
     }
+    stretch = t < QUICK ? 5.0 : 50.0;
   }
   total.status = SolveStatus::NOT_CONVERGED;
   return total;

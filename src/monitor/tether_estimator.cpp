@@ -257,16 +257,9 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
     return false;
   model_.setPayout({model_.length(), 0.0, 0.0});
   core::NodeField shape;
-  last_solve_ = statics_.solve(model_, steady, shape);
+  last_solve_ = core::findSteadyState(statics_, model_, steady, shape);
   if (!last_solve_.converged())
-  {
-    // As the paper does it: let it move until it is steady.
-    const core::SolveReport moved = core::settleByMotion(model_, steady, shape);
-    last_solve_.iterations += moved.iterations;
-    if (!moved.converged())
-      return false;
-    last_solve_.status = moved.status;
-  }
+    return false;
   state_ = core::CableState(t, shape, ends.vessel.velocity);
   if (config_.drag_amplification > 1.0)
   {
