@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/statics.h"
+#include "tether_monitor/core/stepper.h"
+
+namespace tether_monitor::core
+{
+/// How finely a tether is to be cut in space and time.
+struct MeshChoice
+{
+  int elements = 0;
+  double step = 0.0;     ///< [s], at most that of the options.
+  double error = 0.0;    ///< expected RMS error of the end tensions over their mean in the trial motion [-].
+  bool reached = false;  ///< false: MOST_ELEMENTS are not enough, or no steady state was found.
+};
+
+constexpr int FEWEST_ELEMENTS = 8, MOST_ELEMENTS = 200;  ///< that chooseMesh() considers.
+
+/**
+ * Number of elements and time step for a requested accuracy, from the tether, its ends and what surrounds it.
+ *
+ * From the steady state the ends are moved as ends at sea are: the vessel heaves (up to 1 m, 8 s), a held vehicle
+ * circles (up to 5 m, 60 s), and both gather way ahead and astern (1.5 m/s): less where the tether has no slack for it. The
+ * same motion with twice the elements, and with half the step, tells the error; (M29) of doc/model.md.
+ *
+ * @param make      the model with a given number of elements; may throw std::invalid_argument for too few.
+ * @param ends      where the tether is now.
+ * @param accuracy  [-], > 0.
+ */
+MeshChoice chooseMesh(const std::function<CableModel(int)>& make, const SteadyEnds& ends, double accuracy,
+                      const StepperOptions& options);
+
+}  // namespace tether_monitor::core
