@@ -61,8 +61,13 @@ ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const El
     const double weight = point.weight * p.length;
     const Vector3 slope = interpolate(shapeSlopes(point.xi, p.length), q);
     const double strain = 0.5 * (slope.squaredNorm() / (p.natural_stretch * p.natural_stretch) - 1.0);
-    energy.axial += weight * p.natural_stretch * axialLaw(p.axial, strain).energy;
+    energy.axial += point.axial * p.length * p.natural_stretch * axialLaw(p.axial, strain).energy;
     energy.weight += weight * p.mass * gravity * interpolate(shapeFunctions(point.xi, p.length), q).z();
+  }
+  for (const int node : {3, 9})
+  {
+    const double strain = 0.5 * (q.segment<3>(node).squaredNorm() / (p.natural_stretch * p.natural_stretch) - 1.0);
+    energy.axial += AXIAL_AT_NODES * p.length * p.natural_stretch * axialLaw(p.axial, strain).energy;
   }
   return energy;
 }

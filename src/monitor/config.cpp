@@ -46,6 +46,8 @@ std::vector<std::string> problems(const Config& c)
     add(core::problems(*c.winch, c.tether.diameter, c.tether.length, c.tether.min_bend_radius.value_or(0.0)), all);
   core::BoundsCheck strumming("tether.");
   strumming.within("drag_amplification", c.drag_amplification, 1.0, 10.0, "[-]");
+  if (c.accuracy)
+    strumming.within("accuracy", *c.accuracy, 1e-5, 0.1, "[-]");
   add(strumming.problems(), all);
 
   core::BoundsCheck check("monitor.");

@@ -43,6 +43,7 @@ TetherEstimator::TetherEstimator(const Config& config)
                                  : std::numeric_limits<double>::infinity()),
     rejected_at_(-std::numeric_limits<double>::infinity())
 {
+  mesh_ = {config.elements, config.solver.step, TetherEstimate::NONE, !config.accuracy};
   estimate_.stations = core::StationField(config.elements);
   estimate_.contact.obstacles.resize(config.environment.obstacles.size());
 }
@@ -243,6 +244,27 @@ void TetherEstimator::moveObstacles(double t, const core::Vector3& origin)
   model_.sea().setObstacles(obstacles);
 }
 
+void TetherEstimator::chooseMesh(const core::SteadyEnds& ends)
+{
+  const double length = model_.length();
+  const auto make = [&](int elements)
+  {
+    Config config = config_;
+    config.elements = elements;
+    core::CableModel model = modelAt(config, length);
+    model.sea() = model_.sea();
+    return model;
+  };
+  mesh_ = core::chooseMesh(make, ends, *config_.accuracy, config_.solver);
+  core::StepperOptions solver = config_.solver;
+  solver.step = mesh_.step;
+  config_.elements = mesh_.elements;
+  model_ = make(mesh_.elements);
+  stepper_ = core::Stepper(model_, solver);
+  statics_ = core::Statics(model_.nodes());
+  estimate_.stations = core::StationField(mesh_.elements);
+}
+
 bool TetherEstimator::settle(double t, const EndTargets& ends)
 {
   const core::Vector3 old_origin = origin_;
@@ -256,6 +278,8 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
   if (ends.payout && !setLength(ends.payout->length))
     return false;
   model_.setPayout({model_.length(), 0.0, 0.0});
+  if (config_.accuracy)
+    chooseMesh(steady);
   core::NodeField shape;
   last_solve_ = core::findSteadyState(statics_, model_, steady, shape);
   if (!last_solve_.converged())

@@ -8,6 +8,8 @@
 #include "tether_monitor/params/reader.h"
 #include "tether_monitor/params/yaml_file.h"
 
+#include "tether_monitor/core/mesh_choice.h"
+
 namespace tether_monitor::params
 {
 namespace
@@ -168,11 +170,23 @@ void loadTether(Reader in, monitor::Config& config)
 {
   core::CableProperties& p = config.tether;
   p.length = in.number("length");
-  config.elements = in.integer("elements");
+  if (in.says("elements", "auto"))
+    config.accuracy = in.number("accuracy", 1e-3);
+  else
+    config.elements = in.integer("elements");
+  if (!config.accuracy && in.has("accuracy"))
+  {
+    in.fault("accuracy", " is for elements: auto");
+    in.ignore("accuracy");
+  }
   loadProperties(in, nullptr, p);
   p.min_bend_radius = in.optionalNumber("min_bend_radius");
   config.drag_amplification = in.number("drag_amplification", config.drag_amplification);
   config.fittings = loadFittings(in, p);
+  // With elements: auto a mesh to begin with, that has room for what is fixed to the tether.
+  while (config.accuracy && config.elements < core::MOST_ELEMENTS &&
+         !core::elementCountProblems(config.elements, p.length, config.fittings).empty())
+    ++config.elements;
   in.finish();
 }
 

@@ -230,6 +230,13 @@ std::string Reader::word(const char* key)
   return "";
 }
 
+bool Reader::says(const char* key, const std::string& word)
+{
+  const Value* value = find(key);
+  const std::string* text = value ? value->get<std::string>() : nullptr;
+  return text && *text == word;
+}
+
 Reader Reader::child(const char* key)
 {
   const Value* value = find(key);

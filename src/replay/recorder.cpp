@@ -90,6 +90,9 @@ void Recorder::finish(const monitor::TetherEstimator& estimator)
   nlohmann::json summary;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
+  summary["elements"] = estimator.model().elements();
+  summary["largest_step"] = estimator.mesh().step;
+  summary["expected_error"] = orNull(estimator.mesh().error);
   summary["steps"] = estimator.count().steps;
   summary["iterations"] = estimator.count().iterations;
   summary["rejected_steps"] = estimator.count().rejected;

@@ -174,6 +174,7 @@ TEST(Convergence, IsOfSecondOrderInTheStep)
     CableState state(0.0, shape, Vector3::Zero());
     StepperOptions options;
     options.step = h;
+    options.newton.relative_tolerance = 1e-10;
     Stepper stepper(model, options);
     std::vector<double> force;
     const long steps = std::lround(12.0 / h), sample = std::lround(0.4 / h);

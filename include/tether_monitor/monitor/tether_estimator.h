@@ -7,6 +7,7 @@
 
 #include "tether_monitor/core/cable_model.h"
 #include "tether_monitor/core/cable_state.h"
+#include "tether_monitor/core/mesh_choice.h"
 #include "tether_monitor/core/statics.h"
 #include "tether_monitor/core/stepper.h"
 #include "tether_monitor/core/vibration.h"
@@ -114,6 +115,8 @@ class TetherEstimator
   const core::CableState& state() const { return state_; }
   /// Place of the model's coordinates in the world [m].
   const core::Vector3& origin() const { return origin_; }
+  /// Elements and step in use, and what error they were chosen for; error NaN where they were given.
+  const core::MeshChoice& mesh() const { return mesh_; }
   /// Strumming at the last look, once a second of model time.
   const core::Strumming& strumming() const { return strumming_; }
   bool isVehicleFree() const { return config_.vehicle_mode == VehicleMode::FREE; }
@@ -123,6 +126,7 @@ class TetherEstimator
   const TetherEstimate& refuse(double t, Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
+  void chooseMesh(const core::SteadyEnds& ends);
   double thrustAge(double t) const;
   void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
@@ -154,6 +158,7 @@ class TetherEstimator
   double obstacles_at_;    // time of the places of the model's obstacles [s]; NaN: since ever
   double winch_capacity_;  // [m]; infinite without a winch
   core::Strumming strumming_;
+  core::MeshChoice mesh_;
   double retry_settling_at_ = 0.0;
   double rejected_at_;
   TetherEstimate estimate_;

@@ -50,6 +50,8 @@ class Reader
   core::Vector3 vector(const char* key, const core::Vector3& fallback);
   /// The text or whole number at `key`, as a text; a fault and "" if it is missing or anything else.
   std::string word(const char* key);
+  /// True if the value at `key` is this text; says nothing of any other value.
+  bool says(const char* key, const std::string& word);
   /// Two numbers (z zero); NaN and a fault if they are missing and there is no fallback.
   core::Vector3 pair(const char* key);
   core::Vector3 pair(const char* key, const core::Vector3& fallback);

@@ -3,6 +3,7 @@
 #include "pack.h"
 
 #include "tether_monitor/core/kernel/kernel.h"
+#include "tether_monitor/core/quadrature.h"
 
 // The equations of an element, (M1)-(M11) and (M24) of doc/model.md, for W elements at once. Inside, slopes are
 // multiplied by the element's length: then the shape functions are the same numbers for all elements.
@@ -16,19 +17,18 @@ enum class Task
   COMPLETE
 };
 
-// Hermite functions H, their slopes G and curvatures C at the Gauss points, for r_a, l r'_a, r_b, l r'_b.
+// Hermite functions H, their slopes G and curvatures C at the points of quadrature.h, for r_a, l r'_a, r_b, l r'_b.
 struct Shape
 {
-  double weight[POINTS], xi[POINTS], H[POINTS][4], G[POINTS][4], C[POINTS][4];
+  double weight[POINTS], axial[POINTS], xi[POINTS], H[POINTS][4], G[POINTS][4], C[POINTS][4], C_node[2][4];
 
-  constexpr Shape() : weight(), xi(), H(), G(), C()
+  constexpr Shape() : weight(), axial(), xi(), H(), G(), C(), C_node{{-6.0, -4.0, 6.0, -2.0}, {6.0, 2.0, -6.0, 4.0}}
   {
-    constexpr double X[POINTS] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
-    constexpr double PARTS[POINTS] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     for (int g = 0; g < POINTS; ++g)
     {
-      const double x = X[g];
-      weight[g] = PARTS[g];
+      const double x = GAUSS_POINTS[g].xi;
+      weight[g] = GAUSS_POINTS[g].weight;
+      axial[g] = GAUSS_POINTS[g].axial;
       xi[g] = x;
       H[g][0] = 1.0 - 3.0 * x * x + 2.0 * x * x * x;
       H[g][1] = x - 2.0 * x * x + x * x * x;
@@ -324,7 +324,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
     {
-      const V load_f = weight * f[k], load_n = SHAPE.weight[g] * N * t[k];
+      const V load_f = weight * f[k], load_n = SHAPE.axial[g] * N * t[k];
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i)
         R[i][k] += SHAPE.H[g][i] * load_f + SHAPE.G[g][i] * load_n;
@@ -357,7 +357,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
                  (row == column ? air.alpha : V{}));
 
       // dn/dr', over the square of the length.
-      const V share = SHAPE.weight[g] * inverse_length;
+      const V share = SHAPE.axial[g] * inverse_length;
       const V modulus = stiff_part + soft_part * give * give;
       const V cube = share * natural * natural2;
       const V along_t = cube * (in.stiffness * modulus + in.damping * viscosity);
@@ -400,6 +400,55 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
             out.n_dr[entryOf(row, column)] = x;
           }
       }
+    }
+  }
+
+  // The axial energy at the nodes.
+  V node_dr[2][COMPLETE ? 9 : 6];
+#pragma GCC unroll 2
+  for (int end = 0; end < 2; ++end)
+  {
+    V t[3], rate[3];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+    {
+      t[k] = inverse_length * q.x[2 * end + 1][k];
+      rate[k] = inverse_length * v.x[2 * end + 1][k];
+      if (in.has_flow)
+        rate[k] += constant(end == 0 ? FLOW_SPEED_A : FLOW_SPEED_B) * inverse_length * inverse_length *
+                   slopeAt(SHAPE.C_node[end], q, k);
+    }
+    const V natural2 = natural * natural;
+    const V strain = 0.5 * (natural2 * dot(t, t) - 1.0);
+    const V push = larger(-strain * push_rate, V{});
+    V give = spread<W>(1.0);
+    if (any<W>(push > 0.0))
+      give = 1.0 / (1.0 + push);
+    V N = stiff_part * strain + soft_part * strain * give;
+    if (in.has_damping)
+      N += viscosity * (natural2 * dot(t, rate));
+    N *= natural * AXIAL_AT_NODES;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+      R[2 * end + 1][k] += N * t[k];
+    if constexpr (TANGENT)
+    {
+      const V cube = AXIAL_AT_NODES * inverse_length * natural * natural2;
+      const V along_t = cube * (in.stiffness * (stiff_part + soft_part * give * give) + in.damping * viscosity);
+      const V even = inverse_length * in.stiffness * N;
+      const V along_rate = cube * in.stiffness * viscosity;
+#pragma GCC unroll 3
+      for (int row = 0; row < 3; ++row)
+#pragma GCC unroll 3
+        for (int column = COMPLETE ? 0 : row; column < 3; ++column)
+        {
+          V x = along_t * t[row] * t[column];
+          if (COMPLETE)
+            x += along_rate * t[row] * rate[column];
+          if (row == column)
+            x += even;
+          node_dr[end][COMPLETE ? 3 * row + column : entryOf(row, column)] = x;
+        }
     }
   }
 
@@ -471,6 +520,8 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
               if constexpr (COMPLETE)
                 x += (SHAPE.H[g][i] * SHAPE.G[g][j]) * tangent[g].f_dr[place];
             }
+            if (i == j && i % 2 == 1)
+              x += node_dr[i / 2][place];
             k[place] = i % 2 + j % 2 == 0 ? x : both * x;
           }
       }
