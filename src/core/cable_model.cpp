@@ -81,6 +81,7 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
   }
   fixed_length_ = properties.length - grows_to;
   built_length_ = properties.length;
+  payout_.length = properties.length;
   bend_limit_ = core::bendLimit(properties, fittings);
   for (const Attachment& attachment : fittings.attachments)
   {
@@ -128,6 +129,12 @@ void CableModel::setDragFactor(int i, double factor)
   field_.set(i, elements_[i]);
 }
 
+void CableModel::setDragNormal(int i, double coefficient)
+{
+  elements_[i].drag_normal = coefficient;
+  field_.set(i, elements_[i]);
+}
+
 bool CableModel::canPayTo(double length) const
 {
   const double growing = length - fixed_length_;
@@ -141,6 +148,7 @@ void CableModel::setPayout(const PayoutMotion& payout)
   const bool rests = payout.rate == 0.0 && payout.acceleration == 0.0;
   if (rests && payout.length == length() && !elements_.front().flow.active)
     return;  // a winch that stands still and says so at every step
+  payout_ = payout;
   const double growing = payout.length - fixed_length_;
   for (CableProperties& kind : kinds_)
     kind.length = payout.length;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace tether_monitor::monitor
 {
@@ -47,12 +48,55 @@ bool isPossibleLength(const Config& config, double length)
          core::elementCountProblems(config.elements, length, fittings).empty();
 }
 
-core::CableModel modelAt(const Config& config, double length)
+core::CableModel modelAt(const Config& config, double length, int elements)
 {
   Config changed = config;
+  changed.elements = elements;
   changed.fittings = shifted(length - config.tether.length, config.fittings);
   changed.tether.length = length;
   return modelOf(changed);
+}
+
+ModelMemory memoryOf(const core::CableModel& model)
+{
+  ModelMemory memory;
+  memory.built_length = model.builtLength();
+  memory.elements = model.elements();
+  memory.payout = model.payout();
+  for (int i = 0; i < model.elements(); ++i)
+    memory.drag_normal.push_back(model.element(i).drag_normal);
+  memory.current = model.environment().current.samples();
+  memory.obstacles = model.environment().obstacles;
+  memory.epoch = model.sea().epoch();
+  memory.origin = model.sea().origin();
+  return memory;
+}
+
+std::optional<core::CableModel> modelFrom(const Config& config, const ModelMemory& memory)
+{
+  Config changed = config;
+  changed.elements = memory.elements;
+  bool is_possible = memory.drag_normal.size() == static_cast<std::size_t>(std::max(memory.elements, 0)) &&
+                     isPossibleLength(changed, memory.built_length) && std::isfinite(memory.payout.rate) &&
+                     std::isfinite(memory.payout.acceleration) && std::isfinite(memory.epoch) &&
+                     memory.origin.allFinite() && core::problems(memory.current).empty();
+  for (const double drag : memory.drag_normal)
+    is_possible = is_possible && std::isfinite(drag) && drag >= 0.0;
+  for (const core::Obstacle& obstacle : memory.obstacles)
+    is_possible = is_possible && core::problems(obstacle, "").empty();
+  if (!is_possible)
+    return std::nullopt;
+  core::CableModel model = modelAt(config, memory.built_length, memory.elements);
+  if (!model.canPayTo(memory.payout.length))
+    return std::nullopt;
+  model.sea().setEpoch(memory.epoch);
+  model.sea().setOrigin(memory.origin);
+  model.sea().setCurrent(core::CurrentProfile(memory.current));
+  model.sea().setObstacles(memory.obstacles);
+  model.setPayout(memory.payout);
+  for (int i = 0; i < memory.elements; ++i)
+    model.setDragNormal(i, memory.drag_normal[i]);
+  return model;
 }
 
 }  // namespace tether_monitor::monitor

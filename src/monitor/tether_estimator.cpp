@@ -67,6 +67,7 @@ bool TetherEstimator::setDepth(double depth)
   if (!core::problems(changed).empty())
     return false;
   model_.sea().setDepth(depth);
+  told_depth_ = depth;
   return true;
 }
 
@@ -125,7 +126,7 @@ bool TetherEstimator::setLength(double length)
   if (!isPossibleLength(config_, length))
     return false;
   const core::Sea sea = model_.sea();
-  model_ = modelAt(config_, length);
+  model_ = modelAt(config_, length, config_.elements);
   model_.sea() = sea;
   return true;
 }
@@ -249,20 +250,24 @@ void TetherEstimator::chooseMesh(const core::SteadyEnds& ends)
   const double length = model_.length();
   const auto make = [&](int elements)
   {
-    Config config = config_;
-    config.elements = elements;
-    core::CableModel model = modelAt(config, length);
+    core::CableModel model = modelAt(config_, length, elements);
     model.sea() = model_.sea();
     return model;
   };
-  mesh_ = core::chooseMesh(make, ends, *config_.accuracy, config_.solver);
+  const core::MeshChoice mesh = core::chooseMesh(make, ends, *config_.accuracy, config_.solver);
+  rebuild(make(mesh.elements), mesh);
+}
+
+void TetherEstimator::rebuild(core::CableModel model, const core::MeshChoice& mesh)
+{
+  mesh_ = mesh;
+  config_.elements = mesh.elements;
   core::StepperOptions solver = config_.solver;
-  solver.step = mesh_.step;
-  config_.elements = mesh_.elements;
-  model_ = make(mesh_.elements);
+  solver.step = mesh.step;
+  model_ = std::move(model);
   stepper_ = core::Stepper(model_, solver);
   statics_ = core::Statics(model_.nodes());
-  estimate_.stations = core::StationField(mesh_.elements);
+  estimate_.stations = core::StationField(mesh.elements);
 }
 
 bool TetherEstimator::settle(double t, const EndTargets& ends)

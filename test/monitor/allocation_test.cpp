@@ -1,57 +1,65 @@
-// Counts what the stepping path takes from the heap, by replacing operator new for this executable.
+// Counts what the stepping path takes from the heap, by standing in for malloc in this executable: operator new and
+// Eigen come through there.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <new>
 
 #include "monitor/support.h"
 
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define COUNTS_ALLOCATIONS 1
 namespace
 {
-long allocations = 0;
-
-void* counted(std::size_t size)
-{
-  ++allocations;
-  if (void* memory = std::malloc(size))
-    return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-  return counted(size);
-}
-void* operator new[](std::size_t size)
-{
-  return counted(size);
-}
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept
-{
-  std::free(memory);
+thread_local long allocations = 0;
 }
 
+extern "C"
+{
+  void* __libc_malloc(std::size_t);
+  void* __libc_calloc(std::size_t, std::size_t);
+  void* __libc_realloc(void*, std::size_t);
+  void* __libc_memalign(std::size_t, std::size_t);
+
+  void* malloc(std::size_t size)
+  {
+    ++allocations;
+    return __libc_malloc(size);
+  }
+  void* calloc(std::size_t count, std::size_t size)
+  {
+    ++allocations;
+    return __libc_calloc(count, size);
+  }
+  void* realloc(void* memory, std::size_t size)
+  {
+    ++allocations;
+    return __libc_realloc(memory, size);
+  }
+  void* aligned_alloc(std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    return __libc_memalign(alignment, size);
+  }
+  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
+  {
+    ++allocations;
+    *memory = __libc_memalign(alignment, size);
+    return *memory ? 0 : 12;
+  }
+}
+#endif
+
+#ifdef COUNTS_ALLOCATIONS
 namespace tether_monitor::monitor
 {
 TEST(Allocation, TheCounterCounts)
 {
   const long before = allocations;
-  std::vector<double> some(10);
+  const std::vector<double> some(10);
   EXPECT_GT(allocations, before);
+  const Eigen::MatrixXd other = Eigen::MatrixXd::Zero(some.size(), 3);
+  EXPECT_GT(allocations, before + 1) << other.rows();
 }
 
 TEST(Allocation, ATickTakesNothingFromTheHeapAfterTheStart)
@@ -112,3 +120,4 @@ TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)
 }
 
 }  // namespace tether_monitor::monitor
+#endif

@@ -10,6 +10,12 @@ struct EndForces
 {
   Vector3 vessel = Vector3::Zero();
   Vector3 vehicle = Vector3::Zero();
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(vessel, vehicle);
+  }
 };
 
 /// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight,
@@ -36,6 +42,13 @@ struct StationField
   StationField() = default;
   /// Room for the stations of a model with `elements` elements.
   explicit StationField(int elements);
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(s, position, tension, strain, stress, bend_radius, ends, vessel_direction, vehicle_direction, stretched_length,
+      largest_turn);
+  }
 };
 
 /// Fills `field` (made for this model's element count) from a state; allocates nothing.

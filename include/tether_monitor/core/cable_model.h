@@ -79,6 +79,8 @@ class CableModel
   void setBodies(const EndBodies& bodies);
   /// Multiplies the normal drag of element `i` by a factor >= 1: strumming. Default 1.
   void setDragFactor(int i, double factor);
+  /// The same by the coefficient itself [-], to take over that of another model bit for bit.
+  void setDragNormal(int i, double coefficient);
 
   /// True if the tether can be deployed to `length` [m] with the mesh there is: what is fixed to it, and one
   /// twentieth of an element's length for each element, must stay outside.
@@ -86,6 +88,10 @@ class CableModel
   /// Deployed length and its rates: the elements between the vessel end and the first section boundary or
   /// attachment grow and the tether runs through them, (M24). canPayTo(length) must hold; allocates nothing.
   void setPayout(const PayoutMotion& payout);
+  /// The last one; at first the length alone.
+  const PayoutMotion& payout() const { return payout_; }
+  /// Deployed length that the mesh was made for [m].
+  double builtLength() const { return built_length_; }
 
   /// Residual of every node: the force and couple that it must receive from outside [N, N m]. Size nodes().
   void assemble(const CableState& state, NodeField& residual) const;
@@ -117,6 +123,7 @@ class CableModel
   std::vector<double> arc_length_;
   std::vector<double> growing_share_;  // of each growing element in the piece that grows
   std::optional<double> bend_limit_;
+  PayoutMotion payout_;
   double built_length_ = 0.0;  // when the mesh was made [m]
   double fixed_length_ = 0.0;  // of the elements that do not grow [m]
   void updateScales();

@@ -14,6 +14,12 @@ struct Rotation
   Vector3 velocity = Vector3::Zero();                               ///< angular, body axes [rad/s].
   Vector3 acceleration = Vector3::Zero();                           ///< angular, body axes [rad/s^2].
   Vector3 aux = Vector3::Zero();                                    ///< algorithmic acceleration, (M12).
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(orientation, velocity, acceleration, aux);
+  }
 };
 
 /// Motion of the centre of one obstacle, model coordinates.
@@ -23,6 +29,12 @@ struct ObstacleMotion
   Vector3 velocity = Vector3::Zero();      ///< [m/s]
   Vector3 acceleration = Vector3::Zero();  ///< [m/s^2]
   Vector3 aux = Vector3::Zero();           ///< algorithmic acceleration, (M12).
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(position, velocity, acceleration, aux);
+  }
 };
 
 /// How friction acts.
@@ -45,9 +57,16 @@ struct ContactMemory
   std::vector<Vector3> seabed;             ///< [m]
   std::vector<Vector3> obstacle;           ///< [m] on the obstacle touched deepest.
   std::vector<Vector3> obstacle_position;  ///< centre of every obstacle [m].
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(time, step, friction, seabed, obstacle, obstacle_position);
+  }
 };
 
-/// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it.
+/// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it, or archive
+/// it (archive.h).
 struct CableState
 {
   double time = 0.0;                      ///< [s] of the input clock.
@@ -68,6 +87,12 @@ struct CableState
 
   /// True if every number is finite.
   bool allFinite() const;
+
+  template <class Archive>
+  void archive(Archive& archiver)
+  {
+    archiver(time, step, effort, q, v, a, aux, vessel, vehicle, obstacles, contact);
+  }
 };
 
 }  // namespace tether_monitor::core

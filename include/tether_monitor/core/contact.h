@@ -49,12 +49,24 @@ struct ContactSummary
     double s = 0.0;                   ///< the same along the tether [m].
     double total = 0.0;               ///< sum of the sizes of the normal forces [N]; 0: no contact.
     double largest = 0.0;             ///< largest normal force per metre [N/m].
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(force, place, s, total, largest);
+  }
   };
 
   double seabed_length = 0.0;  ///< unstretched length on the seabed [m].
   double touchdown_s = -1.0;   ///< first point on the seabed from the vessel end [m]; < 0: none.
   double energy = 0.0;         ///< stored in the springs of contact and friction [J].
   std::vector<Touch> obstacles;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(seabed_length, touchdown_s, energy, obstacles);
+  }
 };
 
 /// Fills `summary`, whose `obstacles` must have one entry for each obstacle; allocates nothing.

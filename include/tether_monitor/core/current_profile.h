@@ -16,6 +16,12 @@ class CurrentProfile
   {
     double depth;
     Vector3 velocity;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(depth, velocity);
+  }
   };
 
   /// Still water.

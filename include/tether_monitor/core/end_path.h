@@ -12,6 +12,12 @@ struct EndPoint
 {
   Vector3 position = Vector3::Zero();
   Vector3 velocity = Vector3::Zero();
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(position, velocity);
+  }
 };
 
 /// Motion of a held end over a stretch of time: a cubic in time, continuous in position and velocity, (M17).

@@ -15,6 +15,12 @@ struct MeshChoice
   double step = 0.0;     ///< [s], at most that of the options.
   double error = 0.0;    ///< expected RMS error of the end tensions over their mean in the trial motion [-].
   bool reached = false;  ///< false: MOST_ELEMENTS are not enough, or no steady state was found.
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(elements, step, error, reached);
+  }
 };
 
 constexpr int FEWEST_ELEMENTS = 8, MOST_ELEMENTS = 200;  ///< that chooseMesh() considers.

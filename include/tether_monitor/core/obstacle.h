@@ -28,6 +28,12 @@ struct Obstacle
   double mass = 0.0;                   ///< [kg], >= 0; 0: the tether does not move it.
   double friction = 0.0;               ///< Coulomb's mu [-], >= 0.
   double stiffness = 1.0e8;            ///< k [N/m^3], > 0: force per metre of tether k d * penetration.
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(name, shape, position, orientation, size, velocity, mass, friction, stiffness);
+  }
 };
 
 /// Every bound of Obstacle that `obstacle` violates, one sentence each, beginning with `prefix`.

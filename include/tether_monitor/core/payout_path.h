@@ -8,6 +8,12 @@ struct PayoutMotion
   double length = 0.0;        ///< [m], > 0.
   double rate = 0.0;          ///< [m/s], > 0 when the length increases.
   double acceleration = 0.0;  ///< [m/s^2]
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(length, rate, acceleration);
+  }
 };
 
 /// Deployed length over a stretch of time: a cubic in time, continuous in length and rate.

@@ -43,6 +43,7 @@ class Sea
   void setDepth(double depth);
   /// Times count from `epoch` [s] of the clock that the waves are told in. Default zero.
   void setEpoch(double epoch);
+  double epoch() const { return epoch_; }
   /// Takes the waves away, for steady states.
   void calm() { wave_ = AiryWave(); }
 

@@ -14,6 +14,12 @@ struct Wrench
 {
   Vector3 force = Vector3::Zero();
   Vector3 torque = Vector3::Zero();
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(force, torque);
+  }
 };
 
 /// Coordinates of one node, or their rates, or the conjugate forces. Rows 0-2: position r [m];

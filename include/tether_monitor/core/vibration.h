@@ -17,6 +17,12 @@ struct Strumming
       0.0;              ///< first transverse natural frequency by the time a wave takes along the tether [Hz].
   double length = 0.0;  ///< unstretched length that strums [m].
   double s = 0.0;       ///< where the shedding is fastest [m].
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(lowest_frequency, highest_frequency, string_frequency, length, s);
+  }
 };
 
 /// Frequency of vortex shedding on element `i`: 0.2 |un| / d, un the flow across the tether at its middle [Hz].

@@ -78,6 +78,12 @@ class Alarm
   /// Time of the last change of state [s].
   double since() const { return since_; }
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(state_, value_, s_, since_, pending_since_);
+  }
+
  private:
   void enter(AlarmState state, double t);
 

@@ -23,6 +23,14 @@ class AlarmSet
   /// The over-tension limit alarm is active or latched.
   bool overTension() const;
 
+  /// States only: the definitions are the configuration's.
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    for (Alarm& alarm : alarms_)
+      a(alarm);
+  }
+
  private:
   enum class Quantity
   {

@@ -18,6 +18,12 @@ struct BodyState
 
   /// Position and velocity of a point fixed in the body, `lever` from the reference point in body axes [m].
   core::EndPoint attachmentPoint(const core::Vector3& lever) const;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(position, orientation, velocity, angular_velocity);
+  }
 };
 
 /// Why a measurement was not taken.
@@ -67,18 +73,36 @@ class BodyTrack
   /// State at time t [s]; hasPose() must hold.
   BodyState at(double t) const;
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(poses_, rates_);
+  }
+
  private:
   struct Pose
   {
     double t;
     core::Vector3 position;
     Eigen::Quaterniond orientation;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t, position, orientation);
+  }
   };
   struct Rates
   {
     double t;
     core::Vector3 velocity;
     core::Vector3 angular_velocity;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t, velocity, angular_velocity);
+  }
   };
   struct Slope
   {

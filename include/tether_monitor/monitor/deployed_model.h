@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "tether_monitor/core/cable_model.h"
 #include "tether_monitor/monitor/config.h"
 
@@ -13,7 +16,31 @@ core::CableModel modelOf(const Config& config);
 /// distance from the vehicle end; what has come aboard is left out.
 bool isPossibleLength(const Config& config, double length);
 
-/// The model of a configuration at another deployed length [m]; isPossibleLength() must hold.
-core::CableModel modelAt(const Config& config, double length);
+/// The model of a configuration at another deployed length [m], isPossibleLength() must hold, in so many elements.
+core::CableModel modelAt(const Config& config, double length, int elements);
+
+/// What changes in a model while it is in use: pay-out, strumming, current, obstacles, depth, clock.
+struct ModelMemory
+{
+  double built_length = 0.0;  ///< [m] that the mesh was made for.
+  int elements = 0;
+  core::PayoutMotion payout;
+  std::vector<double> drag_normal;  ///< of every element [-].
+  std::vector<core::CurrentProfile::Sample> current;
+  std::vector<core::Obstacle> obstacles;
+  double epoch = 0.0;     ///< of the waves [s].
+  core::Vector3 origin;  ///< of the model's coordinates [m].
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(built_length, elements, payout, drag_normal, current, obstacles, epoch, origin);
+  }
+};
+
+ModelMemory memoryOf(const core::CableModel& model);
+
+/// The model of a configuration as `memory` remembers it; nothing if that cannot be.
+std::optional<core::CableModel> modelFrom(const Config& config, const ModelMemory& memory);
 
 }  // namespace tether_monitor::monitor

@@ -26,6 +26,12 @@ class EndFollower
   core::EndPoint follow(double t, const core::EndPoint& now, double pose_time, double pose_interval);
   void reset() { started_ = false; }
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(started_, t_, pose_time_, last_, offset_);
+  }
+
  private:
   bool started_ = false;
   double t_ = 0.0;

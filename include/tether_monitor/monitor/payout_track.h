@@ -32,10 +32,22 @@ class PayoutTrack
   /// Length and rate at time t [s]; hasReport() must hold. Calls in order of t, else clear() first.
   core::PayoutMotion follow(double t);
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(reports_, count_, follower_);
+  }
+
  private:
   struct Report
   {
     double t, length, rate;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t, length, rate);
+  }
   };
 
   double slopeTo(double t, double length) const;

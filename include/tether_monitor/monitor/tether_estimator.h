@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/archive.h"
 #include "tether_monitor/core/cable_model.h"
 #include "tether_monitor/core/cable_state.h"
 #include "tether_monitor/core/mesh_choice.h"
@@ -37,6 +39,12 @@ struct StepCount
   long steps = 0;
   long rejected = 0;
   long iterations = 0;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(steps, rejected, iterations);
+  }
 };
 
 /**
@@ -122,7 +130,23 @@ class TetherEstimator
   bool isVehicleFree() const { return config_.vehicle_mode == VehicleMode::FREE; }
   bool isSettled() const { return settled_; }
 
+  /// Everything that changes while it works, as bytes: see core/archive.h. Inputs and estimate included.
+  std::vector<std::uint8_t> save() const;
+  /// Goes on from where save() was called in an estimator of the same configuration, bit for bit. @return false, and
+  /// nothing changes, if the bytes are not such a state.
+  bool restore(const std::vector<std::uint8_t>& bytes);
+
  private:
+  friend class core::ArchiveWriter;
+  friend class core::ArchiveReader;
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(state_, origin_, settled_, announced_settling_, started_, alarms_changed_, payout_rate_, strumming_at_,
+      obstacles_at_, told_depth_, strumming_, retry_settling_at_, rejected_at_, thrust_, thrust_at_, vessel_,
+      vehicle_, vessel_follower_, vehicle_follower_, payout_, alarms_, estimate_, count_);
+  }
+  void rebuild(core::CableModel model, const core::MeshChoice& mesh);
   const TetherEstimate& refuse(double t, Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
@@ -155,6 +179,7 @@ class TetherEstimator
   bool alarms_changed_ = false;
   double payout_rate_ = 0.0;  // of the model at its time [m/s]
   double strumming_at_;
+  std::optional<double> told_depth_;  // by a message [m]
   double obstacles_at_;    // time of the places of the model's obstacles [s]; NaN: since ever
   double winch_capacity_;  // [m]; infinite without a winch
   core::Strumming strumming_;

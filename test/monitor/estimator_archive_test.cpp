@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <thread>
+
+#include "monitor/support.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+// Everything at once: a body, waves, a seabed, obstacles, a winch, strumming.
+Config fullConfig()
+{
+  Config config = testConfig();
+  config.vehicle_mode = VehicleMode::FREE;
+  config.vehicle_body.mass = 150.0;
+  config.vehicle_body.volume = 0.1;
+  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
+  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  config.vehicle_body.attachment = {0.3, 0.0, 0.1};
+  config.drag_amplification = 1.5;
+  config.environment.waves = {0.5, 60.0, 0.0, 0.0};
+  config.environment.seabed = core::Seabed();
+  config.environment.seabed->depth = 80.0;
+  core::Obstacle pile;
+  pile.name = "pile";
+  pile.shape = core::ObstacleShape::CYLINDER;
+  pile.size = {0.5, 200.0, 0.0};
+  pile.position = {0.0, -0.5, -40.0};
+  pile.friction = 0.3;
+  config.environment.obstacles = {pile};
+  return config;
+}
+
+void drive(Feeder& feeder, double duration, double& length)
+{
+  for (int k = 0; k < static_cast<int>(std::round(duration / 0.1)); ++k)
+  {
+    length += 0.002;
+    feeder.estimator.addPayout(feeder.t + 0.1, length, 0.02);
+    feeder.vessel.z() = 1.0 + 0.3 * std::sin(feeder.t);
+    feeder.run(0.1);
+  }
+}
+
+std::vector<std::uint8_t> history(double duration)
+{
+  Feeder feeder(fullConfig());
+  double length = 100.0;
+  drive(feeder, duration, length);
+  return feeder.estimator.save();
+}
+}  // namespace
+
+TEST(EstimatorArchive, GoesOnBitForBit)
+{
+  Feeder feeder(fullConfig());
+  double length = 100.0;
+  feeder.estimator.setCurrent(core::CurrentProfile({0.2, 0.1, 0.0}));
+  drive(feeder, 3.0, length);
+  ASSERT_TRUE(feeder.estimator.setDepth(81.0));
+  drive(feeder, 2.0, length);
+  ASSERT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+  const std::vector<std::uint8_t> saved = feeder.estimator.save();
+
+  Feeder other(fullConfig());
+  ASSERT_TRUE(other.estimator.restore(saved));
+  EXPECT_EQ(other.estimator.save(), saved);
+  EXPECT_EQ(other.estimator.estimate().vessel_tension, feeder.estimator.estimate().vessel_tension);
+  other.t = feeder.t;
+  double other_length = length;
+  drive(feeder, 5.0, length);
+  drive(other, 5.0, other_length);
+  EXPECT_NE(feeder.estimator.save(), saved) << "it moved";
+  EXPECT_EQ(other.estimator.save(), feeder.estimator.save());
+}
+
+TEST(EstimatorArchive, TakesOverAMeshThatWasChosen)
+{
+  Config config = testConfig();
+  config.accuracy = 3e-3;
+  Feeder feeder(config);
+  feeder.run(2.0);
+  ASSERT_TRUE(feeder.estimator.isSettled());
+  EXPECT_NE(feeder.estimator.model().elements(), config.elements);
+  Feeder other(config);
+  ASSERT_TRUE(other.estimator.restore(feeder.estimator.save()));
+  EXPECT_EQ(other.estimator.model().elements(), feeder.estimator.model().elements());
+  other.t = feeder.t;
+  EXPECT_EQ(other.run(1.0).vessel_tension, feeder.run(1.0).vessel_tension);
+}
+
+TEST(EstimatorArchive, RefusesWhatIsNoSuchState)
+{
+  Feeder feeder(fullConfig());
+  double length = 100.0;
+  drive(feeder, 2.0, length);
+  const std::vector<std::uint8_t> saved = feeder.estimator.save();
+  Feeder other(fullConfig());
+  const std::vector<std::uint8_t> untouched = other.estimator.save();
+  EXPECT_FALSE(other.estimator.restore({}));
+  for (std::size_t size = 0; size < saved.size(); size += 997)
+    EXPECT_FALSE(other.estimator.restore({saved.begin(), saved.begin() + size})) << size;
+  std::vector<std::uint8_t> longer = saved;
+  longer.push_back(0);
+  EXPECT_FALSE(other.estimator.restore(longer));
+  EXPECT_EQ(other.estimator.save(), untouched) << "nothing changed";
+
+  Config different = fullConfig();
+  different.tether.length = 120.0;
+  TetherEstimator third(different);
+  EXPECT_FALSE(third.restore(saved)) << "a state of another tether";
+}
+
+TEST(EstimatorArchive, SurvivesDamagedBytes)
+{
+  Feeder feeder(fullConfig());
+  double length = 100.0;
+  drive(feeder, 2.0, length);
+  const std::vector<std::uint8_t> saved = feeder.estimator.save();
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    std::vector<std::uint8_t> damaged = saved;
+    for (int flip = 0; flip < 3; ++flip)
+      damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    TetherEstimator other(fullConfig());
+    if (!other.restore(damaged))
+      continue;
+    const TetherEstimate& e = other.tick(feeder.t + 0.05);
+    EXPECT_TRUE(e.status == Status::INVALID || std::isfinite(e.vessel_tension));
+  }
+}
+
+TEST(Determinism, ManyTethersInManyThreadsGiveTheSameBytes)
+{
+  const std::vector<std::uint8_t> alone = history(4.0);
+  std::vector<std::vector<std::uint8_t>> together(6);
+  std::vector<std::thread> threads;
+  for (std::vector<std::uint8_t>& bytes : together)
+    threads.emplace_back([&bytes] { bytes = history(4.0); });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const std::vector<std::uint8_t>& bytes : together)
+    EXPECT_EQ(bytes, alone);
+}
+
+}  // namespace tether_monitor::monitor
