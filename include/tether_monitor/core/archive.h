@@ -98,6 +98,13 @@ class ArchiveReader
   bool ok() const { return ok_; }
 
  private:
+  void get(bool& x)
+  {
+    std::uint8_t byte = 0;
+    raw(&byte, 1);
+    ok_ = ok_ && byte <= 1;
+    x = byte == 1;
+  }
   template <typename T>
   void get(T& x)
   {

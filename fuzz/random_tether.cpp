@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
-namespace tether_monitor::bench
+namespace tether_monitor::fuzz
 {
 namespace
 {
@@ -73,6 +74,17 @@ core::CableProperties coefficients(Dice& dice)
 }
 }  // namespace
 
+std::uint32_t Dice::draw()
+{
+  if (left_ < 4)
+    return static_cast<std::uint32_t>(bits_());
+  std::uint32_t x = 0;
+  std::memcpy(&x, bytes_, sizeof x);
+  bytes_ += sizeof x;
+  left_ -= sizeof x;
+  return x;
+}
+
 double Dice::scale(double from, double to)
 {
   return std::exp(uniform(std::log(from), std::log(to)));
@@ -131,4 +143,4 @@ RandomTether wildTether(Dice& dice)
     t.bodies.vehicle = body(dice, p.mass_per_length * p.length);
   return t;
 }
-}  // namespace tether_monitor::bench
+}  // namespace tether_monitor::fuzz

@@ -1,0 +1,18 @@
+// libFuzzer: bytes that choose a tether and how it is moved.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "checks.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  tether_monitor::fuzz::Dice dice(data, size);
+  const std::string fault = tether_monitor::fuzz::checkTether(dice);
+  if (!fault.empty())
+  {
+    std::fprintf(stderr, "%s\n", fault.c_str());
+    std::abort();
+  }
+  return 0;
+}
