@@ -6,6 +6,25 @@
 namespace tether_monitor::core::kernel
 {
 template <int W>
+double multiplyAdds(long rounds)
+{
+  using V = typename Pack<W>::Vector;
+  constexpr int CHAINS = OPERATIONS_A_ROUND / 2;
+  V sum[CHAINS];
+  for (int i = 0; i < CHAINS; ++i)
+    sum[i] = spread<W>(1.0 + i);
+  const V factor = spread<W>(0.999999), more = spread<W>(1e-6);
+  for (long round = 0; round < rounds; ++round)
+#pragma GCC unroll 12
+    for (int i = 0; i < CHAINS; ++i)
+      sum[i] = sum[i] * factor + more;
+  V total{};
+  for (int i = 0; i < CHAINS; ++i)
+    total += sum[i];
+  return total[0];
+}
+
+template <int W>
 constexpr Kernel makeKernel(const char* name)
 {
   return {name,
@@ -13,6 +32,7 @@ constexpr Kernel makeKernel(const char* name)
           allElements<W, Task::RESIDUALS>,
           allElements<W, Task::SYMMETRIC>,
           allElements<W, Task::COMPLETE>,
-          solveBlocks<W>};
+          solveBlocks<W>,
+          multiplyAdds<W>};
 }
 }  // namespace tether_monitor::core::kernel

@@ -102,7 +102,11 @@ struct Kernel
   void (*complete)(const ElementBlock&);     ///< residual and the whole tangent.
   bool (*solve)(const BlockSystem&);         ///< elimination from both ends, without pivoting; false if a pivot is
                                              ///< lost or a number is not finite; b is then unusable.
+  double (*multiplyAdds)(long rounds);       ///< nothing but independent multiply-adds: what the machine can do at most.
 };
+
+/// Floating-point operations in one round of Kernel::multiplyAdds, over its width.
+constexpr int OPERATIONS_A_ROUND = 2 * 12;
 
 /// The kernels that this machine can run, the widest first; the last is for every machine.
 std::vector<const Kernel*> available();
