@@ -54,7 +54,7 @@ const core::kernel::Kernel& kernelOf(const benchmark::State& run)
 void label(benchmark::State& run)
 {
   run.SetLabel(kernelOf(run).name);
-  run.counters["ns_per_element"] = benchmark::Counter(static_cast<double>(run.range(0)) * 1e-9,
+  run.counters["time_per_element"] = benchmark::Counter(static_cast<double>(run.range(0)),
                                                       benchmark::Counter::kIsIterationInvariantRate |
                                                           benchmark::Counter::kInvert);
 }

@@ -4,8 +4,10 @@ if(NOT SANITIZE)
   set(kernel_optimisation -O3)
 elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   set(kernel_optimisation -O1 -fno-sanitize=undefined)  # clang needs minutes for it, and the kernels are arithmetic
-else()
+elseif(CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(kernel_optimisation -O1)
+else()
+  set(kernel_optimisation -O2)
 endif()
 set_source_files_properties(
   src/core/kernel/portable.cpp src/core/kernel/avx2.cpp src/core/kernel/avx512.cpp

@@ -33,7 +33,9 @@ const std::vector<std::uint8_t>& genuine()
     ends.vehicle.position = {60.0, 0.0, -70.0};
     estimator.begin(0.0, ends);
     estimator.advance(0.05, ends);
-    return estimator.save();
+    std::vector<std::uint8_t> saved = estimator.save();
+    tether_monitor::core::unseal(saved);
+    return saved;
   }();
   return bytes;
 }
@@ -45,6 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint8_t> bytes = genuine();
   for (std::size_t i = 0; i + 3 <= size && i < 300; i += 3)
     bytes[(data[i] * 256u + data[i + 1]) % bytes.size()] = data[i + 2];
+  tether_monitor::core::seal(bytes);
   TetherEstimator estimator(config());
   if (!estimator.restore(bytes))
     return 0;

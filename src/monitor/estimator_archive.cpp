@@ -44,16 +44,22 @@ std::vector<std::uint8_t> TetherEstimator::save() const
   header.mesh = mesh_;
   core::ArchiveWriter writer;
   writer(header, copy);
-  return writer.bytes();
+  std::vector<std::uint8_t> bytes = writer.bytes();
+  core::seal(bytes);
+  return bytes;
 }
 
-bool TetherEstimator::restore(const std::vector<std::uint8_t>& bytes)
+bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
 {
+  std::vector<std::uint8_t> bytes = sealed;
+  if (!core::unseal(bytes))
+    return false;
   Header header;
   core::ArchiveReader first(bytes);
   first(header);
   if (!first.ok() || header.format != FORMAT || header.length != config_.tether.length ||
-      header.stiffness != config_.tether.axial_stiffness || !(header.mesh.step > 0.0))
+      header.stiffness != config_.tether.axial_stiffness || !(header.mesh.step > 0.0) ||
+      header.mesh.elements != header.model.elements)
     return false;
   std::optional<core::CableModel> model = modelFrom(config_, header.model);
   if (!model)

@@ -177,4 +177,27 @@ class ArchiveReader
   bool ok_ = true;
 };
 
+/// Puts a checksum (FNV-1a, 64 bit) behind the bytes.
+inline void seal(std::vector<std::uint8_t>& bytes)
+{
+  std::uint64_t sum = 14695981039346656037ull;
+  for (const std::uint8_t byte : bytes)
+    sum = (sum ^ byte) * 1099511628211ull;
+  for (int i = 0; i < 8; ++i)
+    bytes.push_back(static_cast<std::uint8_t>(sum >> (8 * i)));
+}
+
+/// Takes the checksum off. @return false, and the bytes are unusable, if it is not theirs.
+inline bool unseal(std::vector<std::uint8_t>& bytes)
+{
+  if (bytes.size() < 8)
+    return false;
+  std::vector<std::uint8_t> content(bytes.begin(), bytes.end() - 8);
+  std::vector<std::uint8_t> again = content;
+  seal(again);
+  const bool is_whole = again == bytes;
+  bytes = std::move(content);
+  return is_whole;
+}
+
 }  // namespace tether_monitor::core
