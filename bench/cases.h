@@ -17,10 +17,10 @@ struct Case
   core::CableProperties tether;
   core::Environment sea;
   core::EndBodies bodies;
-  double duration = 0.0;     ///< [s]
-  double count_from = 0.0;   ///< errors count from here [s].
-  double output = 0.05;      ///< interval of the record [s].
-  core::SteadyEnds start;    ///< steady state from which it begins.
+  double duration = 0.0;    ///< [s]
+  double count_from = 0.0;  ///< errors count from here [s].
+  double output = 0.05;     ///< interval of the record [s].
+  core::SteadyEnds start;   ///< steady state from which it begins.
   std::function<core::EndPoint(double)> vessel, vehicle;
   int reference_elements = 400;
   double reference_step = 0.005;

@@ -1,5 +1,5 @@
-// Google Benchmark: cost of a Newton iteration by its parts, of a step, of a simulated second; for every kernel that the
-// machine can run.
+// Google Benchmark: cost of a Newton iteration by its parts, of a step, of a simulated second; for every kernel
+// that the machine can run.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -54,12 +54,13 @@ const core::kernel::Kernel& kernelOf(const benchmark::State& run)
 void label(benchmark::State& run)
 {
   run.SetLabel(kernelOf(run).name);
-  run.counters["time_per_element"] = benchmark::Counter(static_cast<double>(run.range(0)),
-                                                      benchmark::Counter::kIsIterationInvariantRate |
-                                                          benchmark::Counter::kInvert);
+  run.counters["time_per_element"] =
+      benchmark::Counter(static_cast<double>(run.range(0)),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// Assembly of residual and symmetric tangent, elimination, update of coordinates: what an iteration of a step does.
+// Assembly of residual and symmetric tangent, elimination, update of coordinates: what an iteration of a step
+// does.
 void newtonIteration(benchmark::State& run)
 {
   Setting s(static_cast<int>(run.range(0)), kernelOf(run));
@@ -143,8 +144,7 @@ void simulatedSecond(benchmark::State& run)
   for (auto _ : run)
     s.advance(1.0);
   label(run);
-  run.counters["times_real_time"] =
-      benchmark::Counter(1.0, benchmark::Counter::kIsIterationInvariantRate);
+  run.counters["times_real_time"] = benchmark::Counter(1.0, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 // A copy and its way back: what look-ahead and late measurements cost beside the stepping.

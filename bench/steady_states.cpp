@@ -1,5 +1,5 @@
-// Steady states of random tethers: bench_steady_states [COUNT [FIRST_SEED [FILE]]]. Each is solved with 50 and with 100
-// elements, its residual looked at once more, and both compared. Ends with "N passed, N failed".
+// Steady states of random tethers: bench_steady_states [COUNT [FIRST_SEED [FILE]]]. Each is solved with 50 and
+// with 100 elements, its residual looked at once more, and both compared. Ends with "N passed, N failed".
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,9 +18,10 @@ using namespace tether_monitor;  // NOLINT: a program of its own
 using nlohmann::json;
 
 constexpr int ELEMENTS = 50;
-constexpr double SAME = 0.02;          // of the larger end tension and a hundredth of the weight
-constexpr double LARGEST_TURN = 1.2;   // [rad] over an element: beyond, the monitor says MESH_COARSE
-constexpr double STILL_RESIDUAL = 1e-4;  // largest force at a node over a tenth of the dry weight and the reactions
+constexpr double SAME = 0.02;         // of the larger end tension and a hundredth of the weight
+constexpr double LARGEST_TURN = 1.2;  // [rad] over an element: beyond, the monitor says MESH_COARSE
+constexpr double STILL_RESIDUAL =
+    1e-4;  // largest force at a node over a tenth of the dry weight and the reactions
 
 struct Found
 {
@@ -81,10 +82,11 @@ int main(int count, char** words)
     found_fine += b.report.converged();
     for (const Found* one : {&a, &b})
       if (!one->report.converged())
-        std::printf("seed %ld, %d elements: %s (length %g m, diameter %g m, density %g kg/m^3, chord %g of the length)\n",
-                    seed, one == &a ? ELEMENTS : 2 * ELEMENTS, core::describe(one->report.status), t.tether.length,
-                    t.tether.diameter, t.tether.mass_per_length / t.tether.displacedArea(),
-                    (t.ends.vehicle - t.ends.vessel).norm() / t.tether.length);
+        std::printf(
+            "seed %ld, %d elements: %s (length %g m, diameter %g m, density %g kg/m^3, chord %g of the length)\n",
+            seed, one == &a ? ELEMENTS : 2 * ELEMENTS, core::describe(one->report.status), t.tether.length,
+            t.tether.diameter, t.tether.mass_per_length / t.tether.displacedArea(),
+            (t.ends.vehicle - t.ends.vessel).norm() / t.tether.length);
     if (!a.report.converged() || !b.report.converged())
       continue;
     if (std::max(a.residual, b.residual) > STILL_RESIDUAL)
@@ -104,15 +106,16 @@ int main(int count, char** words)
       std::printf("seed %ld: end tensions differ by %.1f %%\n", seed, 100.0 * error);
     }
   }
-  const json out{{"tethers", runs},
-                 {"found_50_elements", found},
-                 {"found_100_elements", found_fine},
-                 {"residual_too_large", unbalanced},
-                 {"same_with_twice_the_elements", same},
-                 {"different_and_flagged_MESH_COARSE", coarse},
-                 {"different_and_not_flagged", different},
-                 {"cpu_seconds_100_elements",
-                  {{"median", quantile(cpu, 0.5)}, {"p99", quantile(cpu, 0.99)}, {"largest", quantile(cpu, 1.0)}}}};
+  const json out{
+      {"tethers", runs},
+      {"found_50_elements", found},
+      {"found_100_elements", found_fine},
+      {"residual_too_large", unbalanced},
+      {"same_with_twice_the_elements", same},
+      {"different_and_flagged_MESH_COARSE", coarse},
+      {"different_and_not_flagged", different},
+      {"cpu_seconds_100_elements",
+       {{"median", quantile(cpu, 0.5)}, {"p99", quantile(cpu, 0.99)}, {"largest", quantile(cpu, 1.0)}}}};
   std::printf("%s\n", out.dump(1).c_str());
   if (count > 3)
     std::ofstream(words[3]) << out.dump(1) << "\n";

@@ -1,5 +1,6 @@
-// Work-precision of the cases A to F: bench_work_precision [CASES [FILE]]. Every number of elements with every step against a
-// converged run; case A also against golden/heave_tow_A.csv by its test. Both integrators. JSON into FILE or on the screen.
+// Work-precision of the cases A to F: bench_work_precision [CASES [FILE]]. Every number of elements with every
+// step against a converged run; case A also against golden/heave_tow_A.csv by its test. Both integrators. JSON
+// into FILE or on the screen.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -27,11 +28,11 @@ struct Run
 std::vector<Run> runsOf(const Case& c)
 {
   if (c.name == "C" || c.name == "D")
-    return {{5, 0.2},   {8, 0.2},   {10, 0.2},  {16, 0.2},  {10, 0.1},  {16, 0.1},
-            {24, 0.1},  {10, 0.05}, {24, 0.05}, {48, 0.05}, {96, 0.05}};
+    return {{5, 0.2},  {8, 0.2},   {10, 0.2},  {16, 0.2},  {10, 0.1}, {16, 0.1},
+            {24, 0.1}, {10, 0.05}, {24, 0.05}, {48, 0.05}, {96, 0.05}};
   if (c.name == "E")
     return {{10, 0.05}, {20, 0.05}, {50, 0.05}, {100, 0.05}, {50, 0.02}, {100, 0.02}, {200, 0.02}};
-  return {{10, 0.1},  {16, 0.1},  {24, 0.1},  {32, 0.1},   {48, 0.1},  {16, 0.05},  {20, 0.05},  {32, 0.05},
+  return {{10, 0.1},  {16, 0.1},  {24, 0.1},  {32, 0.1},   {48, 0.1},  {16, 0.05},   {20, 0.05},   {32, 0.05},
           {50, 0.05}, {64, 0.05}, {96, 0.05}, {160, 0.05}, {50, 0.02}, {100, 0.025}, {200, 0.0125}};
 }
 
@@ -82,11 +83,13 @@ void show(const std::string& what, const json& r)
                  r["step"].get<double>());
     return;
   }
-  std::fprintf(stderr, "  %-18s N %4d h %-7.3g vessel %.2e vehicle %.2e peak %.2e %.2e  %7.0f x  %.2f its/step, worst %.1f x\n",
-               what.c_str(), r["elements"].get<int>(), r["step"].get<double>(), r["vessel_rms"].get<double>(),
-               r["vehicle_rms"].get<double>(), r["vessel_peak"].get<double>(), r["vehicle_peak"].get<double>(),
-               r["times_real_time"].get<double>(), r["iterations_per_step"].get<double>(),
-               r["worst_over_median_iterations"].get<double>());
+  std::fprintf(
+      stderr,
+      "  %-18s N %4d h %-7.3g vessel %.2e vehicle %.2e peak %.2e %.2e  %7.0f x  %.2f its/step, worst %.1f x\n",
+      what.c_str(), r["elements"].get<int>(), r["step"].get<double>(), r["vessel_rms"].get<double>(),
+      r["vehicle_rms"].get<double>(), r["vessel_peak"].get<double>(), r["vehicle_peak"].get<double>(),
+      r["times_real_time"].get<double>(), r["iterations_per_step"].get<double>(),
+      r["worst_over_median_iterations"].get<double>());
 }
 
 json workPrecision(const Case& c)
@@ -98,7 +101,8 @@ json workPrecision(const Case& c)
   std::fprintf(stderr, "%s, %s: reference with %d elements, %g s\n", c.name.c_str(), c.what.c_str(),
                c.reference_elements, c.reference_step);
   const Record reference = bench::run(c, c.reference_elements, options);
-  out["reference"] = {{"elements", c.reference_elements}, {"step", c.reference_step}, {"complete", reference.complete}};
+  out["reference"] = {
+      {"elements", c.reference_elements}, {"step", c.reference_step}, {"complete", reference.complete}};
   if (!reference.complete)
     return out;
 
@@ -112,8 +116,8 @@ json workPrecision(const Case& c)
     show("generalized_alpha", out["generalized_alpha"].back());
   }
 
-  // The explicit scheme takes the steps that its limit allows, however long the bench's are; a part of the run tells
-  // what the whole would cost.
+  // The explicit scheme takes the steps that its limit allows, however long the bench's are; a part of the run
+  // tells what the whole would cost.
   out["abarbanel_zwas"] = json::array();
   Case part = c;
   part.duration = std::min(c.duration, c.count_from + 20.0);
@@ -148,7 +152,8 @@ json workPrecision(const Case& c)
     const json same = describe(part, explicit_run["elements"].get<int>(), options.step, r, cut);
     explicit_run["generalized_alpha_vessel_rms"] = same["vessel_rms"];
     explicit_run["cpu_over_generalized_alpha"] = explicit_run["cpu_seconds"].get<double>() / r.cpu;
-    std::fprintf(stderr, "  N %d: abarbanel_zwas takes %.0f x the CPU of generalized_alpha (vessel %.2e and %.2e)\n",
+    std::fprintf(stderr,
+                 "  N %d: abarbanel_zwas takes %.0f x the CPU of generalized_alpha (vessel %.2e and %.2e)\n",
                  explicit_run["elements"].get<int>(), explicit_run["cpu_over_generalized_alpha"].get<double>(),
                  explicit_run["vessel_rms"].get<double>(), same["vessel_rms"].get<double>());
   }

@@ -2,10 +2,6 @@
 find_package(benchmark REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
-add_library(tether_monitor_bench STATIC bench/cases.cpp)
-target_include_directories(tether_monitor_bench PUBLIC bench)
-target_link_libraries(tether_monitor_bench PUBLIC tether_monitor_fuzz PRIVATE tether_monitor_options)
-
 add_executable(bench_kernels bench/kernels.cpp)
 target_link_libraries(bench_kernels PRIVATE tether_monitor_bench benchmark::benchmark tether_monitor_options)
 

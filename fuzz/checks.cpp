@@ -33,8 +33,13 @@ core::ElementParameters randomElement(Dice& dice)
   p.compression = dice.chance(0.3) ? dice.uniform(0.0, 1e-3) : 0.0;
   p.natural_stretch = dice.chance(0.3) ? dice.uniform(1.0, 1.5) : 1.0;
   if (dice.chance(0.2))
-    p.flow = {true, dice.uniform(-1.0, 1.0), dice.uniform(-1.0, 1.0), dice.uniform(-5.0, 5.0), dice.uniform(-5.0, 5.0),
-              dice.uniform(-1.0, 1.0), dice.uniform(-1.0, 1.0)};
+    p.flow = {true,
+              dice.uniform(-1.0, 1.0),
+              dice.uniform(-1.0, 1.0),
+              dice.uniform(-5.0, 5.0),
+              dice.uniform(-5.0, 5.0),
+              dice.uniform(-1.0, 1.0),
+              dice.uniform(-1.0, 1.0)};
   return p;
 }
 
@@ -64,7 +69,9 @@ core::CableState randomState(Dice& dice, int nodes, double length)
   Vector3 r(dice.uniform(-1e4, 1e4), dice.uniform(-1e4, 1e4), dice.chance(0.3) ? 0.0 : dice.uniform(-1e4, 10.0));
   for (int i = 0; i < nodes; ++i)
   {
-    const double stretch = dice.chance(0.1) ? 0.0 : dice.chance(0.2) ? dice.scale(1e-9, 10.0) : dice.uniform(0.9, 1.1);
+    const double stretch = dice.chance(0.1)   ? 0.0
+                           : dice.chance(0.2) ? dice.scale(1e-9, 10.0)
+                                              : dice.uniform(0.9, 1.1);
     state.q[i] << r, stretch * dice.direction();
     if (!dice.chance(0.1))
       r += dice.uniform(0.5, 1.5) * length * dice.direction();
@@ -127,9 +134,9 @@ std::string describe(const RandomTether& t)
 {
   std::ostringstream text;
   text.precision(17);
-  text << "length " << t.tether.length << ", diameter " << t.tether.diameter << ", mass " << t.tether.mass_per_length
-       << ", EA " << t.tether.axial_stiffness << ", EI " << t.tether.bending_stiffness << ", body "
-       << t.bodies.vehicle.has_value();
+  text << "length " << t.tether.length << ", diameter " << t.tether.diameter << ", mass "
+       << t.tether.mass_per_length << ", EA " << t.tether.axial_stiffness << ", EI " << t.tether.bending_stiffness
+       << ", body " << t.bodies.vehicle.has_value();
   return text.str();
 }
 
@@ -137,8 +144,8 @@ std::string fault(const monitor::TetherEstimate& e)
 {
   if (e.status == monitor::Status::INVALID)
     return e.reason == monitor::Reason::NONE ? "INVALID without a reason" : "";
-  bool finite = std::isfinite(e.vessel_tension) && std::isfinite(e.vehicle_tension) && std::isfinite(e.max_tension) &&
-                std::isfinite(e.min_tension) && !std::isnan(e.min_bend_radius);
+  bool finite = std::isfinite(e.vessel_tension) && std::isfinite(e.vehicle_tension) &&
+                std::isfinite(e.max_tension) && std::isfinite(e.min_tension) && !std::isnan(e.min_bend_radius);
   for (std::size_t i = 0; i < e.stations.s.size(); ++i)
     finite = finite && e.stations.position[i].allFinite() && std::isfinite(e.stations.tension[i]);
   return finite ? "" : "a number that is not finite in a valid estimate";
@@ -174,7 +181,8 @@ std::string checkElement(Dice& dice)
         const bool finite = residual[i].allFinite() && tangent.diagonal(i).allFinite() &&
                             (i == count || (tangent.upper(i).allFinite() && tangent.lower(i).allFinite()));
         if (!finite)
-          return std::string(kernel->name) + ": residual or tangent of node " + std::to_string(i) + " is not finite";
+          return std::string(kernel->name) + ": residual or tangent of node " + std::to_string(i) +
+                 " is not finite";
         if (!reference.empty() && difference(residual[i], reference[i]) > ROUNDING)
           return std::string(kernel->name) + ": residual differs by " +
                  std::to_string(difference(residual[i], reference[i])) + " at node " + std::to_string(i);

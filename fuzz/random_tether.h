@@ -24,7 +24,10 @@ class Dice
  public:
   explicit Dice(unsigned seed) : bits_(seed) {}
   Dice(const std::uint8_t* bytes, std::size_t count) : bits_(1), bytes_(bytes), left_(count) {}
-  double uniform(double from, double to) { return from + (to - from) * (static_cast<double>(draw()) / 4294967296.0); }
+  double uniform(double from, double to)
+  {
+    return from + (to - from) * (static_cast<double>(draw()) / 4294967296.0);
+  }
   /// Evenly spread in its logarithm.
   double scale(double from, double to);
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
@@ -39,12 +42,12 @@ class Dice
   std::size_t left_ = 0;
 };
 
-/// A tether that could be built and used: 1 m to 10 km, 2 mm to 0.3 m, buoyant to chain, EA 1e3 to 1e9 N; own weight and
-/// drag stretch it by 5 % at most. Ends from together to 1 % too far apart, a quarter of them with a body, half of
-/// them in motion or in a current.
+/// A tether that could be built and used: 1 m to 10 km, 2 mm to 0.3 m, buoyant to chain, EA 1e3 to 1e9 N; own
+/// weight and drag stretch it by 5 % at most. Ends from together to 1 % too far apart, a quarter of them with a
+/// body, half of them in motion or in a current.
 RandomTether sensibleTether(Dice& dice);
 
-/// Any tether within the bounds of the parameters: lengths, stiffness and diameter by themselves, ends up to 20 % too far
-/// apart.
+/// Any tether within the bounds of the parameters: lengths, stiffness and diameter by themselves, ends up to 20 %
+/// too far apart.
 RandomTether wildTether(Dice& dice);
 }  // namespace tether_monitor::fuzz

@@ -30,9 +30,8 @@ void sampleWater(const Sea& sea, const CableState& state, int first, int count, 
     for (int lane = 0; lane < BLOCK; ++lane)
     {
       const int i = first + std::min(lane, count - 1);
-      const Vector3 r =
-          interpolate(shapeFunctions(GAUSS_POINTS[g].xi, length_of[std::min(lane, count - 1)]),
-                      elementCoords(state.q, i));
+      const Vector3 r = interpolate(shapeFunctions(GAUSS_POINTS[g].xi, length_of[std::min(lane, count - 1)]),
+                                    elementCoords(state.q, i));
       const Water water = sea.waterAt(r, state.time);
       double* at = table + g * WATER_ROWS * BLOCK + lane;
       for (int k = 0; k < 3; ++k)
@@ -45,7 +44,9 @@ void sampleWater(const Sea& sea, const CableState& state, int first, int count, 
 }
 }  // namespace
 
-ElementField::ElementField(int elements) : count_(elements), blocks_((elements + BLOCK - 1) / BLOCK) {}
+ElementField::ElementField(int elements) : count_(elements), blocks_((elements + BLOCK - 1) / BLOCK)
+{
+}
 
 void ElementField::set(int i, const ElementParameters& p)
 {
@@ -85,7 +86,8 @@ ElementBlock ElementField::block(const Sea& sea, const Surroundings& around, con
                                  int count, double* water) const
 {
   const Constants& constants = blocks_[first / BLOCK];
-  const auto any = [](const bool(&flags)[BLOCK]) { return std::find(flags, flags + BLOCK, true) != flags + BLOCK; };
+  const auto any = [](const bool(&flags)[BLOCK])
+  { return std::find(flags, flags + BLOCK, true) != flags + BLOCK; };
   ElementBlock out{};
   out.count = count;
   out.nodes_after = count_ - first - count;

@@ -53,7 +53,8 @@ ResidualSize holdEnds(const CableModel& model, const NodeField& q, const NewtonO
     hold(residual.front());
   if (held.vehicle)
     hold(residual.back());
-  ResidualSize size{0.0, options.relative_tolerance * (QUIET_SHARE * model.forceScale() + reaction) + roundOff(model, q)};
+  ResidualSize size{
+      0.0, options.relative_tolerance * (QUIET_SHARE * model.forceScale() + reaction) + roundOff(model, q)};
   double sum = reaction;
   for (int i = 0; i < model.nodes(); ++i)
   {

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double SLOW = 0.02;  // a residual that falls by less in an iteration wants the complete tangent
 constexpr int EASY = 2;        // Newton iterations of a step after which the motion is taken to be smooth
-}
+}  // namespace
 
 GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radius, const NewtonOptions& options)
   : options_(options), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())

@@ -162,7 +162,8 @@ NodeField laidShape(const CableModel& model, const Vector3& vessel, const Vector
                       [&](const Vector3& p) { return model.sea().floorAt(p).z + radius; });
 }
 
-NodeField floatingShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& drift)
+NodeField floatingShape(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+                        const Vector3& drift)
 {
   const double level = floatingHeight(model).value_or(0.0);
   return restingShape(model, vessel, vehicle, -1.0, drift, [&](const Vector3&) { return level; });

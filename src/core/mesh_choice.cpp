@@ -13,12 +13,12 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double DURATION = 24.0, SAMPLE = 0.2, RAMP = 8.0;             // [s]
-constexpr double HEAVE = 1.0, HEAVE_PERIOD = 8.0;                       // [m], [s]
-constexpr double CIRCLE = 5.0, CIRCLE_PERIOD = 60.0;                    // [m], [s]
-constexpr double WAY = 1.5;                                             // [m/s]
-constexpr double SLACK_SHARE = 0.25, LEAST_MOTION = 2e-4;               // of the slack, of the length
-constexpr int WIDTH = kernel::BLOCK;                                    // elements come in blocks
+constexpr double DURATION = 24.0, SAMPLE = 0.2, RAMP = 8.0;  // [s]
+constexpr double HEAVE = 1.0, HEAVE_PERIOD = 8.0;            // [m], [s]
+constexpr double CIRCLE = 5.0, CIRCLE_PERIOD = 60.0;         // [m], [s]
+constexpr double WAY = 1.5;                                  // [m/s]
+constexpr double SLACK_SHARE = 0.25, LEAST_MOTION = 2e-4;    // of the slack, of the length
+constexpr int WIDTH = kernel::BLOCK;                         // elements come in blocks
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 // A motion that begins with a smooth ramp: its share and the time it has gone on for.
@@ -66,7 +66,8 @@ struct TrialMotion
 // End tensions at every sample; empty if the motion could not be followed.
 using Tensions = std::vector<Vector3>;  // vessel, vehicle, nothing
 
-Tensions tryOut(CableModel& model, const NodeField& shape, const TrialMotion& motion, const StepperOptions& options)
+Tensions tryOut(CableModel& model, const NodeField& shape, const TrialMotion& motion,
+                const StepperOptions& options)
 {
   Tensions record;
   CableState state(0.0, shape, motion.ends.velocity);

@@ -14,13 +14,13 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double FOLDED = 0.3;            // |r'| [-] below which an element is folded
-constexpr double FIRST_MOVE = 0.01;       // first step: the load moves the tether by this share of its length
+constexpr double FOLDED = 0.3;       // |r'| [-] below which an element is folded
+constexpr double FIRST_MOVE = 0.01;  // first step: the load moves the tether by this share of its length
 constexpr double HELPER_STIFFNESS[] = {100.0, 10.0, 1.0, 0.1};  // EI / (m g l^3) of the helpers [-]
-constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};  // of their stiffness
-constexpr double CREEPS = 3e-5;  // residual over the weight scale with which a slack tether counts as at rest
-constexpr double ON_THE_WAY = 1e-4;   // relative tolerance of the first steps
-constexpr double NEWTON_TAU = 1e9;  // growth of tau over the first step at which the flow is Newton's method
+constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};         // of their stiffness
+constexpr double CREEPS = 3e-5;      // residual over the weight scale with which a slack tether counts as at rest
+constexpr double ON_THE_WAY = 1e-4;  // relative tolerance of the first steps
+constexpr double NEWTON_TAU = 1e9;   // growth of tau over the first step at which the flow is Newton's method
 
 // Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
 void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
@@ -75,7 +75,8 @@ bool dipsBelowFloor(const CableModel& model, const NodeField& shape)
 
 bool risesAbove(double height, const NodeField& shape)
 {
-  return std::any_of(shape.begin() + 1, shape.end() - 1, [&](const NodeCoords& node) { return node.z() > height; });
+  return std::any_of(shape.begin() + 1, shape.end() - 1,
+                     [&](const NodeCoords& node) { return node.z() > height; });
 }
 
 // How much of a tether that is lighter than water a body holds down [m].
@@ -102,7 +103,8 @@ NodeField floatingStart(const CableModel& model, const SteadyEnds& ends, double 
     end = ends.vessel + TIGHT * std::max(model.length() - hangs - down, 0.0) * away;
     end.z() = level - hangs;
   }
-  Vector3 drift = netLoad(model, {ends.vessel.x(), ends.vessel.y(), -1.0}, {end.x(), end.y(), -1.0}, ends.velocity);
+  Vector3 drift =
+      netLoad(model, {ends.vessel.x(), ends.vessel.y(), -1.0}, {end.x(), end.y(), -1.0}, ends.velocity);
   drift.z() = 0.0;
   return floatingShape(model, ends.vessel, end, drift);
 }
@@ -163,7 +165,11 @@ NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
 }
 
 Statics::Statics(int nodes, const StaticsOptions& options)
-  : options_(options), start_(nodes, NodeCoords::Zero()), residual_(start_), start_residual_(start_), tangent_(nodes)
+  : options_(options),
+    start_(nodes, NodeCoords::Zero()),
+    residual_(start_),
+    start_residual_(start_),
+    tangent_(nodes)
 {
 }
 
@@ -269,14 +275,16 @@ SolveReport Statics::relax(const CableModel& model)
     if (is_newton)
       return total;
     for (int i = 0; i < model.nodes(); ++i)
-      unbalanced = std::max(unbalanced, (q[i] - start_[i]).head<3>().norm() / tau * model.length() / model.elements());
+      unbalanced =
+          std::max(unbalanced, (q[i] - start_[i]).head<3>().norm() / tau * model.length() / model.elements());
     if (trial_.contact.friction != FrictionMode::SLIDING)
       acceptContact(model, trial_);
     tau *= report.iterations <= 4 ? 4.0 : 1.5;
   }
   // A slack tether that floats, or weighs nothing, creeps: nothing holds it in its place.
   total.residual = unbalanced;
-  total.status = unbalanced <= CREEPS * (0.1 * model.forceScale()) ? SolveStatus::CONVERGED : SolveStatus::BUDGET_SPENT;
+  total.status =
+      unbalanced <= CREEPS * (0.1 * model.forceScale()) ? SolveStatus::CONVERGED : SolveStatus::BUDGET_SPENT;
   return total;
 }
 

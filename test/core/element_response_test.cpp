@@ -6,6 +6,7 @@
 
 #include "core/support/compare.h"
 #include "core/support/systems.h"
+#include "tether_monitor/core/quadrature.h"
 
 namespace tether_monitor::core
 {
@@ -47,9 +48,10 @@ TEST_P(ElementProperty, ForceIsTheGradientOfTheEnergy)
     lo[i] -= h;
     const double difference = (potential(random.p, hi) - potential(random.p, lo)) / (2.0 * h);
     // Rounding of the energy (weight and strain) and the truncation of the difference, whichever is larger.
-    const double rounding =
-        2e-15 *
-        (std::abs(potential(random.p, hi)) + random.p.axial.stiffness + 12.0 * random.p.bending_stiffness / std::pow(random.p.length, 3) * 4e4) / h;
+    const double rounding = 2e-15 *
+                            (std::abs(potential(random.p, hi)) + random.p.axial.stiffness +
+                             12.0 * random.p.bending_stiffness / std::pow(random.p.length, 3) * 4e4) /
+                            h;
     EXPECT_NEAR(force[i], difference, 2e-6 * force.norm() + rounding) << "coordinate " << i;
   }
 }
@@ -136,6 +138,22 @@ TEST(ElementResponse, UnstretchedStraightElementIsForceFree)
   ElementCoords force;
   elementResidual(random.p, air(), rest, force);
   EXPECT_LT(force.norm(), 1e-9 * random.p.axial.stiffness);
+}
+
+TEST(ElementResponse, AFoldBetweenTheIntegrationPointsCostsEnergy)
+{
+  // A slope at a node that points backwards, the element otherwise as long as it should be.
+  RandomElement random(2);
+  random.p.bending_stiffness = 0.0;
+  const double L = random.p.length;
+  ElementCoords straight, folded;
+  straight << 0, 0, 0, 1, 0, 0, L, 0, 0, 1, 0, 0;
+  folded = straight;
+  folded[3] = -1.7;
+  const double EA = random.p.axial.stiffness;
+  EXPECT_LT(elementEnergy(random.p, 0.0, straight, ElementCoords::Zero()).axial, 1e-12 * EA * L);
+  EXPECT_GT(elementEnergy(random.p, 0.0, folded, ElementCoords::Zero()).axial,
+            0.9 * AXIAL_AT_NODES * L * 0.5 * EA * std::pow(0.5 * (1.7 * 1.7 - 1.0), 2));
 }
 
 TEST(ElementResponse, WeightInWaterIsTheSubmergedWeight)

@@ -1,5 +1,5 @@
-// Counts what the stepping path takes from the heap, by standing in for malloc in this executable: operator new and
-// Eigen come through there.
+// Counts what the stepping path takes from the heap, by standing in for malloc in this executable: operator new
+// and Eigen come through there.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -46,8 +46,8 @@ struct StationField
   template <class Archive>
   void archive(Archive& a)
   {
-    a(s, position, tension, strain, stress, bend_radius, ends, vessel_direction, vehicle_direction, stretched_length,
-      largest_turn);
+    a(s, position, tension, strain, stress, bend_radius, ends, vessel_direction, vehicle_direction,
+      stretched_length, largest_turn);
   }
 };
 

@@ -65,8 +65,8 @@ struct ContactMemory
   }
 };
 
-/// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it, or archive
-/// it (archive.h).
+/// Everything that the stepping of a tether carries from one step to the next. Plain data: copy it to save it, or
+/// archive it (archive.h).
 struct CableState
 {
   double time = 0.0;                      ///< [s] of the input clock.

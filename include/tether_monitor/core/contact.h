@@ -50,11 +50,11 @@ struct ContactSummary
     double total = 0.0;               ///< sum of the sizes of the normal forces [N]; 0: no contact.
     double largest = 0.0;             ///< largest normal force per metre [N/m].
 
-  template <class Archive>
-  void archive(Archive& a)
-  {
-    a(force, place, s, total, largest);
-  }
+    template <class Archive>
+    void archive(Archive& a)
+    {
+      a(force, place, s, total, largest);
+    }
   };
 
   double seabed_length = 0.0;  ///< unstretched length on the seabed [m].

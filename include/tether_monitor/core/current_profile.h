@@ -17,11 +17,11 @@ class CurrentProfile
     double depth;
     Vector3 velocity;
 
-  template <class Archive>
-  void archive(Archive& a)
-  {
-    a(depth, velocity);
-  }
+    template <class Archive>
+    void archive(Archive& a)
+    {
+      a(depth, velocity);
+    }
   };
 
   /// Still water.

@@ -68,8 +68,8 @@ struct TangentWeights
  *
  * Model: R = M a + Q_axial + Q_bending + Q_drag + Q_weight, (M11) of doc/model.md; axial (M2)-(M5), bending (M6),
  * inertia (M7) and (M10), weight and buoyancy (M8), drag (M9). Loads and the axial term use GAUSS_POINTS.
- * The arithmetic is that of the kernels (kernel.h); a whole tether goes through ElementField instead, one element through here: for
- * set-up and tests, for it allocates.
+ * The arithmetic is that of the kernels (kernel.h); a whole tether goes through ElementField instead, one element
+ * through here: for set-up and tests, for it allocates.
  *
  * @param p         constants of the element.
  * @param sea       the environment.

@@ -29,8 +29,8 @@ constexpr int FEWEST_ELEMENTS = 8, MOST_ELEMENTS = 200;  ///< that chooseMesh() 
  * Number of elements and time step for a requested accuracy, from the tether, its ends and what surrounds it.
  *
  * From the steady state the ends are moved as ends at sea are: the vessel heaves (up to 1 m, 8 s), a held vehicle
- * circles (up to 5 m, 60 s), and both gather way ahead and astern (1.5 m/s): less where the tether has no slack for it. The
- * same motion with twice the elements, and with half the step, tells the error; (M29) of doc/model.md.
+ * circles (up to 5 m, 60 s), and both gather way ahead and astern (1.5 m/s): less where the tether has no slack
+ * for it. The same motion with twice the elements, and with half the step, tells the error; (M29) of doc/model.md.
  *
  * @param make      the model with a given number of elements; may throw std::invalid_argument for too few.
  * @param ends      where the tether is now.

@@ -17,8 +17,8 @@ struct GaussPoint
  *
  * Three points see an element stretched rightly that is folded in between: a slope at a node that points backwards
  * shows at none of them, and such a fold carries thousands of newtons as if it were no slack. With 2 per
- * mille of the axial weight at the nodes, and the points moved so that degree 5 is still exact, a fold costs energy and
- * opens. Two points leave a zero-energy motion; five in the middle gain nothing. (M4) of doc/model.md.
+ * mille of the axial weight at the nodes, and the points moved so that degree 5 is still exact, a fold costs
+ * energy and opens. Two points leave a zero-energy motion; five in the middle gain nothing. (M4) of doc/model.md.
  */
 inline constexpr std::array<GaussPoint, 3> GAUSS_POINTS = {
     {{0.11348172323987354, 0.2789001122334456, 0.27722671156004486},

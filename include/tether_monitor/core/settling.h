@@ -17,8 +17,9 @@ namespace tether_monitor::core
 SolveReport settleContact(const CableModel& model, CableState& state);
 
 /**
- * Steady shape by motion, the paper's "solution setting": from a curve with its ends in uniform motion until no point moves faster than 2 cm/s against them, or 10 cm/s after 1000 s. For tethers whose steady state
- * Newton does not find: a neutral slack one hardly has any.
+ * Steady shape by motion, the paper's "solution setting": from a curve with its ends in uniform motion until no
+ * point moves faster than 2 cm/s against them, or 10 cm/s after 1000 s. For tethers whose steady state Newton does
+ * not find: a neutral slack one hardly has any.
  *
  * @param start  the curve to start from.
  * @param shape  out: unchanged unless the report says converged.

@@ -53,7 +53,6 @@ class Statics
   /// As solve(), starting from the curve in `shape`, whose ends are moved to `ends`.
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
 
- 
   /// Where the last search ended, found or not.
   const NodeField& lastShape() const { return trial_.q; }
 

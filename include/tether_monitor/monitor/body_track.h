@@ -86,11 +86,11 @@ class BodyTrack
     core::Vector3 position;
     Eigen::Quaterniond orientation;
 
-  template <class Archive>
-  void archive(Archive& a)
-  {
-    a(t, position, orientation);
-  }
+    template <class Archive>
+    void archive(Archive& a)
+    {
+      a(t, position, orientation);
+    }
   };
   struct Rates
   {
@@ -98,11 +98,11 @@ class BodyTrack
     core::Vector3 velocity;
     core::Vector3 angular_velocity;
 
-  template <class Archive>
-  void archive(Archive& a)
-  {
-    a(t, velocity, angular_velocity);
-  }
+    template <class Archive>
+    void archive(Archive& a)
+    {
+      a(t, velocity, angular_velocity);
+    }
   };
   struct Slope
   {

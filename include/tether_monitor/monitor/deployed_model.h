@@ -28,7 +28,7 @@ struct ModelMemory
   std::vector<double> drag_normal;  ///< of every element [-].
   std::vector<core::CurrentProfile::Sample> current;
   std::vector<core::Obstacle> obstacles;
-  double epoch = 0.0;     ///< of the waves [s].
+  double epoch = 0.0;    ///< of the waves [s].
   core::Vector3 origin;  ///< of the model's coordinates [m].
 
   template <class Archive>

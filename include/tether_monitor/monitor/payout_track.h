@@ -43,11 +43,11 @@ class PayoutTrack
   {
     double t, length, rate;
 
-  template <class Archive>
-  void archive(Archive& a)
-  {
-    a(t, length, rate);
-  }
+    template <class Archive>
+    void archive(Archive& a)
+    {
+      a(t, length, rate);
+    }
   };
 
   double slopeTo(double t, double length) const;

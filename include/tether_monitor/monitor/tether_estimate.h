@@ -80,8 +80,8 @@ struct TetherEstimate
     a(time, status, reason, stations, has_stations, length, payout_rate, max_tension, max_tension_s, min_tension,
       min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
       breaking_utilisation, min_bend_radius, min_bend_radius_s, tightest_bend, tightest_bend_s, vessel_end_angle,
-      vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle, vessel_age, vehicle_age,
-      payout_age);
+      vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle, vessel_age,
+      vehicle_age, payout_age);
   }
 };
 

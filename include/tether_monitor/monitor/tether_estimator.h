@@ -132,8 +132,8 @@ class TetherEstimator
 
   /// Everything that changes while it works, as bytes: see core/archive.h. Inputs and estimate included.
   std::vector<std::uint8_t> save() const;
-  /// Goes on from where save() was called in an estimator of the same configuration, bit for bit. @return false, and
-  /// nothing changes, if the bytes are not such a state.
+  /// Goes on from where save() was called in an estimator of the same configuration, bit for bit. @return false,
+  /// and nothing changes, if the bytes are not such a state.
   bool restore(const std::vector<std::uint8_t>& bytes);
 
  private:
@@ -180,8 +180,8 @@ class TetherEstimator
   double payout_rate_ = 0.0;  // of the model at its time [m/s]
   double strumming_at_;
   std::optional<double> told_depth_;  // by a message [m]
-  double obstacles_at_;    // time of the places of the model's obstacles [s]; NaN: since ever
-  double winch_capacity_;  // [m]; infinite without a winch
+  double obstacles_at_;               // time of the places of the model's obstacles [s]; NaN: since ever
+  double winch_capacity_;             // [m]; infinite without a winch
   core::Strumming strumming_;
   core::MeshChoice mesh_;
   double retry_settling_at_ = 0.0;

@@ -87,8 +87,8 @@ TM_INLINE Column<W> loadRight(const double* b)
   return loadColumn<W>(copy);
 }
 
-// Solves the nodes' blocks of CHAINS chains for their right-hand sides and COLUMNS columns more, in step: while one
-// waits for its pivot the other one works. Returns one, or NaN if a pivot is lost.
+// Solves the nodes' blocks of CHAINS chains for their right-hand sides and COLUMNS columns more, in step: while
+// one waits for its pivot the other one works. Returns one, or NaN if a pivot is lost.
 template <int W, int CHAINS, int COLUMNS>
 TM_INLINE typename Pack<W>::Vector eliminate(Chain<W>* chain, Column<W> (*more)[6])
 {
@@ -130,8 +130,8 @@ TM_INLINE typename Pack<W>::Vector eliminate(Chain<W>* chain, Column<W> (*more)[
   return alive;
 }
 
-// A node to be eliminated: `right` couples its rows to the next node's unknowns, `left` the next node's rows to its
-// own; `next` and `next_b` are the next node's.
+// A node to be eliminated: `right` couples its rows to the next node's unknowns, `left` the next node's rows to
+// its own; `next` and `next_b` are the next node's.
 struct Link
 {
   const double *right, *left, *next, *next_b;
@@ -217,7 +217,8 @@ bool solveBlocks(const BlockSystem& s)
   down.b = loadRight<W>(s.b);
   up.b = loadRight<W>(s.b + 6 * last);
 
-  // `down` goes 0, 1, ... to the middle, `up` last, last - 1, ... to it; `down` has a step more if the number of nodes is even.
+  // `down` goes 0, 1, ... to the middle, `up` last, last - 1, ... to it; `down` has a step more if the number of
+  // nodes is even.
   V alive = spread<W>(1.0);
   int i = 0, j = last;
   const auto linkDown = [&]() -> Link

@@ -17,12 +17,14 @@ enum class Task
   COMPLETE
 };
 
-// Hermite functions H, their slopes G and curvatures C at the points of quadrature.h, for r_a, l r'_a, r_b, l r'_b.
+// Hermite functions H, their slopes G and curvatures C at the points of quadrature.h, for r_a, l r'_a, r_b, l
+// r'_b.
 struct Shape
 {
   double weight[POINTS], axial[POINTS], xi[POINTS], H[POINTS][4], G[POINTS][4], C[POINTS][4], C_node[2][4];
 
-  constexpr Shape() : weight(), axial(), xi(), H(), G(), C(), C_node{{-6.0, -4.0, 6.0, -2.0}, {6.0, 2.0, -6.0, 4.0}}
+  constexpr Shape()
+    : weight(), axial(), xi(), H(), G(), C(), C_node{{-6.0, -4.0, 6.0, -2.0}, {6.0, 2.0, -6.0, 4.0}}
   {
     for (int g = 0; g < POINTS; ++g)
     {
@@ -161,10 +163,9 @@ TM_INLINE V turning(const Drag<V>& d, const V* t, V inverse_square, int row, int
 {
   const V unit = row == column ? V{} + 1.0 : V{};
   const V plane = unit - inverse_square * t[row] * t[column];
-  return inverse_square *
-         (d.tangent_speed * (2.0 * t[row] * d.across[column] + d.along * plane) -
-          (d.normal_speed * t[row] * d.across[column] +
-           d.along * (d.normal_speed * plane + d.gamma * d.across[row] * d.across[column])));
+  return inverse_square * (d.tangent_speed * (2.0 * t[row] * d.across[column] + d.along * plane) -
+                           (d.normal_speed * t[row] * d.across[column] +
+                            d.along * (d.normal_speed * plane + d.gamma * d.across[row] * d.across[column])));
 }
 
 // Tangent of the loads at one point: of f with r, of f with r', of n with r', each times the point's weight.

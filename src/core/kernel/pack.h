@@ -131,8 +131,8 @@ TM_INLINE void transpose(V* r)
   }
 }
 
-// Rows of eight numbers, `stride` apart in memory, of W elements: out[k] has number k of every element, k < 6. Reads
-// eight numbers a row.
+// Rows of eight numbers, `stride` apart in memory, of W elements: out[k] has number k of every element, k < 6.
+// Reads eight numbers a row.
 template <int W, class V>
 TM_INLINE void gather(const double* base, int stride, V* out)
 {
@@ -152,8 +152,8 @@ TM_INLINE void gather(const double* base, int stride, V* out)
   }
 }
 
-// The reverse: `count` rows of eight numbers, `stride` apart; the last two become zero. `add_first` adds to what the
-// first row holds.
+// The reverse: `count` rows of eight numbers, `stride` apart; the last two become zero. `add_first` adds to what
+// the first row holds.
 template <int W, class V>
 TM_INLINE void scatter(const V* in, double* out, int stride, int count, bool add_first = false)
 {

@@ -13,10 +13,10 @@ namespace tether_monitor::core
  */
 namespace kernel
 {
-constexpr int BLOCK = 8;          ///< elements that one call takes at most.
-constexpr int COLUMN = 8;         ///< numbers from one column of a 6 x 6 block to the next.
+constexpr int BLOCK = 8;            ///< elements that one call takes at most.
+constexpr int COLUMN = 8;           ///< numbers from one column of a 6 x 6 block to the next.
 constexpr int MATRIX = 6 * COLUMN;  ///< numbers of a 6 x 6 block.
-constexpr int POINTS = 3;         ///< integration points of an element.
+constexpr int POINTS = 3;           ///< integration points of an element.
 
 /// Rows of the table of constants, one number for each element of a block; see ElementParameters.
 enum Constant
@@ -73,13 +73,13 @@ struct ElementBlock
   const double* v;                              ///< their rates.
   const double* a;
   const Surroundings* around;
-  const double* water;               ///< [POINTS][WATER_ROWS][BLOCK], null: the uniform current and no waves.
-  double mass, damping, stiffness;   ///< see TangentWeights; not used by residuals.
-  double* element_residual;          ///< residuals(): out [count][12].
-  double* residual;                  ///< tangents: out [count + 1][6]; added to at the first node, set elsewhere.
-  double* diagonal;                  ///< tangents: out, blocks of count + 1 nodes; added to at the first, set elsewhere.
-  double* upper;                     ///< tangents: out, block in the row of node a, column of node b, of each element.
-  double* lower;                     ///< tangents: out, block in the row of node b, column of node a.
+  const double* water;              ///< [POINTS][WATER_ROWS][BLOCK], null: the uniform current and no waves.
+  double mass, damping, stiffness;  ///< see TangentWeights; not used by residuals.
+  double* element_residual;         ///< residuals(): out [count][12].
+  double* residual;                 ///< tangents: out [count + 1][6]; added to at the first node, set elsewhere.
+  double* diagonal;  ///< tangents: out, blocks of count + 1 nodes; added to at the first, set elsewhere.
+  double* upper;     ///< tangents: out, block in the row of node a, column of node b, of each element.
+  double* lower;     ///< tangents: out, block in the row of node b, column of node a.
 };
 
 /// A block-tridiagonal system of 6 x 6 blocks.
@@ -95,14 +95,15 @@ struct BlockSystem
 struct Kernel
 {
   const char* name;
-  int width;                                 ///< numbers in a vector register.
-  void (*residuals)(const ElementBlock&);    ///< residual of every element alone.
-  void (*symmetric)(const ElementBlock&);    ///< residual, and the symmetric part of the tangent that matters in a
-                                             ///< time step: without the turning of drag with the tether.
-  void (*complete)(const ElementBlock&);     ///< residual and the whole tangent.
-  bool (*solve)(const BlockSystem&);         ///< elimination from both ends, without pivoting; false if a pivot is
-                                             ///< lost or a number is not finite; b is then unusable.
-  double (*multiplyAdds)(long rounds);       ///< nothing but independent multiply-adds: what the machine can do at most.
+  int width;                               ///< numbers in a vector register.
+  void (*residuals)(const ElementBlock&);  ///< residual of every element alone.
+  void (*symmetric)(const ElementBlock&);  ///< residual, and the symmetric part of the tangent that matters in a
+                                           ///< time step: without the turning of drag with the tether.
+  void (*complete)(const ElementBlock&);   ///< residual and the whole tangent.
+  bool (*solve)(const BlockSystem&);       ///< elimination from both ends, without pivoting; false if a pivot is
+                                           ///< lost or a number is not finite; b is then unusable.
+  double (*multiplyAdds)(
+      long rounds);  ///< nothing but independent multiply-adds: what the machine can do at most.
 };
 
 /// Floating-point operations in one round of Kernel::multiplyAdds, over its width.
