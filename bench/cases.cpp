@@ -65,7 +65,9 @@ core::CableProperties towCable(double tangential_drag)
 
 Case heaveTow()
 {
-  Case c{"A", "taut: tow from rest with a heaving vessel, both ends held"};
+  Case c;
+  c.name = "A";
+  c.what = "taut: tow from rest with a heaving vessel, both ends held";
   c.tether = towCable(0.12566);
   c.tether.axial_damping = 1.0e4 / 6.75e7;
   c.duration = 120.0;
@@ -85,7 +87,9 @@ Case heaveTow()
 
 Case lowTension()
 {
-  Case c{"B", "low tension: the vehicle end circles under a resting vessel"};
+  Case c;
+  c.name = "B";
+  c.what = "low tension: the vehicle end circles under a resting vessel";
   c.tether = cable(100.0, 0.012, 0.13, 1e6);
   c.tether.axial_damping = 1e-4;
   c.tether.drag_normal = 1.35;
@@ -117,7 +121,9 @@ core::RigidBody towedBody(double drag_area, double aft)
 
 Case bodyInHeave()
 {
-  Case c{"C", "free body under tow, heaving vessel"};
+  Case c;
+  c.name = "C";
+  c.what = "free body under tow, heaving vessel";
   c.tether = towCable(0.04);
   c.bodies.vehicle = towedBody(0.387, 1000.0);
   c.duration = 200.0;
@@ -135,7 +141,9 @@ Case bodyInHeave()
 
 Case bodyInTurn()
 {
-  Case c{"D", "free body under tow, vessel turns back on a radius of 200 m"};
+  Case c;
+  c.name = "D";
+  c.what = "free body under tow, vessel turns back on a radius of 200 m";
   c.tether = towCable(0.04);
   c.bodies.vehicle = towedBody(0.60384, 0.0);
   c.duration = 400.0;
@@ -158,7 +166,9 @@ Case bodyInTurn()
 
 Case snap()
 {
-  Case c{"E", "snap: slack and taut every 6 s"};
+  Case c;
+  c.name = "E";
+  c.what = "snap: slack and taut every 6 s";
   c.tether = cable(100.0, 0.012, 0.13, 5e6);
   c.tether.drag_normal = 1.2;
   c.tether.drag_tangential = 0.04;
@@ -177,7 +187,9 @@ Case snap()
 
 Case slackBight()
 {
-  Case c{"F", "slack bight in a current, heaving vessel"};
+  Case c;
+  c.name = "F";
+  c.what = "slack bight in a current, heaving vessel";
   c.tether = towCable(0.04);
   c.tether.axial_damping = 1.0e4 / 6.75e7;
   c.tether.bending_stiffness = 50.0;

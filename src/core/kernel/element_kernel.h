@@ -1,9 +1,7 @@
 #pragma once
 
-#include "pack.h"
-
-#include "tether_monitor/core/kernel/kernel.h"
-#include "tether_monitor/core/quadrature.h"
+#include "coords.h"
+#include "laws.h"
 
 // The equations of an element, (M1)-(M11) and (M24) of doc/model.md, for W elements at once. Inside, slopes are
 // multiplied by the element's length: then the shape functions are the same numbers for all elements.
@@ -16,157 +14,6 @@ enum class Task
   SYMMETRIC,
   COMPLETE
 };
-
-// Hermite functions H, their slopes G and curvatures C at the points of quadrature.h, for r_a, l r'_a, r_b, l
-// r'_b.
-struct Shape
-{
-  double weight[POINTS], axial[POINTS], xi[POINTS], H[POINTS][4], G[POINTS][4], C[POINTS][4], C_node[2][4];
-
-  constexpr Shape()
-    : weight(), axial(), xi(), H(), G(), C(), C_node{{-6.0, -4.0, 6.0, -2.0}, {6.0, 2.0, -6.0, 4.0}}
-  {
-    for (int g = 0; g < POINTS; ++g)
-    {
-      const double x = GAUSS_POINTS[g].xi;
-      weight[g] = GAUSS_POINTS[g].weight;
-      axial[g] = GAUSS_POINTS[g].axial;
-      xi[g] = x;
-      H[g][0] = 1.0 - 3.0 * x * x + 2.0 * x * x * x;
-      H[g][1] = x - 2.0 * x * x + x * x * x;
-      H[g][2] = 3.0 * x * x - 2.0 * x * x * x;
-      H[g][3] = x * x * x - x * x;
-      G[g][0] = 6.0 * (x * x - x);
-      G[g][1] = 1.0 - 4.0 * x + 3.0 * x * x;
-      G[g][2] = 6.0 * (x - x * x);
-      G[g][3] = 3.0 * x * x - 2.0 * x;
-      C[g][0] = 12.0 * x - 6.0;
-      C[g][1] = 6.0 * x - 4.0;
-      C[g][2] = 6.0 - 12.0 * x;
-      C[g][3] = 6.0 * x - 2.0;
-    }
-  }
-};
-inline constexpr Shape SHAPE;
-
-// Consistent mass over m l, and bending over EI / l^3.
-inline constexpr double MASS_SHARE[4][4] = {{156.0 / 420.0, 22.0 / 420.0, 54.0 / 420.0, -13.0 / 420.0},
-                                            {22.0 / 420.0, 4.0 / 420.0, 13.0 / 420.0, -3.0 / 420.0},
-                                            {54.0 / 420.0, 13.0 / 420.0, 156.0 / 420.0, -22.0 / 420.0},
-                                            {-13.0 / 420.0, -3.0 / 420.0, -22.0 / 420.0, 4.0 / 420.0}};
-inline constexpr double BENDING_SHARE[4][4] = {
-    {12.0, 6.0, -12.0, 6.0}, {6.0, 4.0, -6.0, 2.0}, {-12.0, -6.0, 12.0, -6.0}, {6.0, 2.0, -6.0, 4.0}};
-
-// Place of entry (r, c) of a symmetric 3 x 3 matrix, and of pair (i, j) of a symmetric 4 x 4 one.
-constexpr int entryOf(int r, int c)
-{
-  return r <= c ? 3 * r - r * (r + 1) / 2 + c : entryOf(c, r);
-}
-constexpr int pairOf(int i, int j)
-{
-  return i <= j ? 4 * i - i * (i + 1) / 2 + j : pairOf(j, i);
-}
-
-template <class V>
-TM_INLINE V dot(const V* a, const V* b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// Coordinates, or rates, of W elements: r_a, l r'_a, r_b, l r'_b, three components each.
-template <class V>
-struct Coords
-{
-  V x[4][3];
-};
-
-// Where `count` < W elements are left, the last one stands for those that are missing.
-template <int W>
-TM_INLINE Coords<typename Pack<W>::Vector> coordsAt(const double* nodes, int count, bool may_overrun,
-                                                    typename Pack<W>::Vector length)
-{
-  using V = typename Pack<W>::Vector;
-  double copy[(W + 1) * 6 + 2];
-  if (count < W || !may_overrun)
-  {
-    for (int i = 0; i <= W; ++i)
-      for (int k = 0; k < 6; ++k)
-        copy[6 * i + k] = nodes[6 * (i <= count ? i : count) + k];
-    copy[6 * W + 6] = copy[6 * W + 7] = 0.0;
-    nodes = copy;
-  }
-  Coords<V> out;
-  V a[6], b[6];
-  gather<W>(nodes, 6, a);
-  gather<W>(nodes + 6, 6, b);
-#pragma GCC unroll 3
-  for (int k = 0; k < 3; ++k)
-  {
-    out.x[0][k] = a[k];
-    out.x[1][k] = length * a[3 + k];
-    out.x[2][k] = b[k];
-    out.x[3][k] = length * b[3 + k];
-  }
-  return out;
-}
-
-template <class V>
-TM_INLINE V at(const double (&shape)[4], const Coords<V>& e, int k)
-{
-  return shape[0] * e.x[0][k] + shape[1] * e.x[1][k] + shape[2] * e.x[2][k] + shape[3] * e.x[3][k];
-}
-
-// The slopes of the four functions add up to nothing for the two positions.
-template <class V>
-TM_INLINE V slopeAt(const double (&shape)[4], const Coords<V>& e, int k)
-{
-  return shape[2] * (e.x[2][k] - e.x[0][k]) + shape[1] * e.x[1][k] + shape[3] * e.x[3][k];
-}
-
-template <class V>
-TM_INLINE V slopesAlone(const double (&shape)[4], const Coords<V>& e, int k)
-{
-  return shape[1] * e.x[1][k] + shape[3] * e.x[3][k];
-}
-
-// Drag (M9): force, and weighted derivatives as  alpha I + beta t t' + gamma un un'  with respect to velocity.
-template <class V>
-struct Drag
-{
-  V force[3], across[3];
-  V along, alpha, beta, gamma;  // along: t . u
-  V normal_speed, tangent_speed;
-};
-
-template <int W, class V>
-TM_INLINE Drag<V> drag(V normal, V tangential, const V* u, const V* t, V inverse_square)
-{
-  Drag<V> d;
-  d.along = dot(t, u);
-  const V share = d.along * inverse_square;
-  for (int k = 0; k < 3; ++k)
-    d.across[k] = u[k] - share * t[k];
-  const V square = dot(d.across, d.across);
-  d.normal_speed = normal * root<W>(square);
-  d.tangent_speed = tangential * magnitude(d.along) * root<W>(inverse_square);
-  for (int k = 0; k < 3; ++k)
-    d.force[k] = d.normal_speed * d.across[k] + d.tangent_speed * share * t[k];
-  d.alpha = d.normal_speed;
-  d.beta = inverse_square * (2.0 * d.tangent_speed - d.normal_speed);
-  d.gamma = d.normal_speed / larger(square, spread<W>(1e-24));
-  return d;
-}
-
-// d force / d slope of the same, (row, column).
-template <class V>
-TM_INLINE V turning(const Drag<V>& d, const V* t, V inverse_square, int row, int column)
-{
-  const V unit = row == column ? V{} + 1.0 : V{};
-  const V plane = unit - inverse_square * t[row] * t[column];
-  return inverse_square * (d.tangent_speed * (2.0 * t[row] * d.across[column] + d.along * plane) -
-                           (d.normal_speed * t[row] * d.across[column] +
-                            d.along * (d.normal_speed * plane + d.gamma * d.across[row] * d.across[column])));
-}
 
 // Tangent of the loads at one point: of f with r, of f with r', of n with r', each times the point's weight.
 template <class V, Task TASK>
@@ -191,10 +38,9 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
   const Coords<V> a = coordsAt<W>(in.a + 6 * first, count, may_overrun, length);
 
   const V mass = constant(MASS), diameter = constant(DIAMETER);
-  const V EA = constant(AXIAL_STIFFNESS), viscosity = constant(AXIAL_VISCOSITY);
-  const V push_rate = EA / constant(COMPRESSION_LIMIT);
-  const V stiff_part = constant(AXIAL_RESIDUAL) * EA, soft_part = EA - stiff_part;
-  const V natural = 1.0 / constant(NATURAL_STRETCH);
+  const V EA = constant(AXIAL_STIFFNESS), stiff_part = constant(AXIAL_RESIDUAL) * EA;
+  const AxialConstants<V> cable{stiff_part, EA - stiff_part, EA / constant(COMPRESSION_LIMIT),
+                                constant(AXIAL_VISCOSITY), 1.0 / constant(NATURAL_STRETCH)};
   const V half_rho_d = 0.5 * sea.density * diameter, rho_area = sea.density * constant(AREA);
   const V drag_normal = constant(DRAG_NORMAL), drag_tangential = constant(DRAG_TANGENTIAL);
   const V added_mass = constant(ADDED_MASS), compression = constant(COMPRESSION);
@@ -250,18 +96,8 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
       }
     }
 
-    // Axial force (M2)-(M5).
+    const Axial<V> pull = axial<W>(cable, t, rate, in.has_damping);
     const V square = dot(t, t);
-    const V natural2 = natural * natural;
-    const V strain = 0.5 * (natural2 * square - 1.0);
-    const V push = larger(-strain * push_rate, V{});
-    V give = spread<W>(1.0);
-    if (any<W>(push > 0.0))
-      give = 1.0 / (1.0 + push);
-    V N = stiff_part * strain + soft_part * strain * give;
-    if (in.has_damping)
-      N += viscosity * (natural2 * dot(t, rate));
-    N *= natural;
 
     // Weight and buoyancy (M8).
     V water_velocity[3], water_acceleration[3], surface{};
@@ -325,7 +161,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
     {
-      const V load_f = weight * f[k], load_n = SHAPE.axial[g] * N * t[k];
+      const V load_f = weight * f[k], load_n = SHAPE.axial[g] * pull.N * t[k];
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i)
         R[i][k] += SHAPE.H[g][i] * load_f + SHAPE.G[g][i] * load_n;
@@ -358,47 +194,26 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
                  (row == column ? air.alpha : V{}));
 
       // dn/dr', over the square of the length.
-      const V share = SHAPE.axial[g] * inverse_length;
-      const V modulus = stiff_part + soft_part * give * give;
-      const V cube = share * natural * natural2;
-      const V along_t = cube * (in.stiffness * modulus + in.damping * viscosity);
-      const V even = share * in.stiffness * N;
+      axialTangent<COMPLETE>(pull, cable, t, rate, SHAPE.axial[g] * inverse_length, in.damping, in.stiffness,
+                             out.n_dr);
       if constexpr (COMPLETE)
       {
-        const V along_rate = cube * in.stiffness * viscosity;
 #pragma GCC unroll 3
         for (int row = 0; row < 3; ++row)
 #pragma GCC unroll 3
           for (int column = 0; column < 3; ++column)
           {
-            V x = t[row] * (along_t * t[column] + along_rate * rate[column]);
-            V y = SHAPE.weight[g] * in.stiffness * turning(water, t, inverse_square, row, column);
+            V x = turning(water, t, inverse_square, row, column);
             if (blows)
-              y += SHAPE.weight[g] * in.stiffness * turning(air, t, inverse_square, row, column);
+              x += turning(air, t, inverse_square, row, column);
             // The normal plane of the added mass turns with the tether.
-            y -= SHAPE.weight[g] * in.stiffness * t[row] *
-                 (inverse_square * pushed[column] - 2.0 * along * inverse_square * t[column]);
+            x -= t[row] * (inverse_square * pushed[column] - 2.0 * along * inverse_square * t[column]);
             if (row == column)
-            {
-              x += even;
-              y -= SHAPE.weight[g] * in.stiffness * along;
-              y += SHAPE.weight[g] * 2.0 * in.damping * flow_speed * mass;
-            }
-            out.n_dr[3 * row + column] = x;
-            out.f_dr[3 * row + column] = y;
-          }
-      }
-      else
-      {
-#pragma GCC unroll 3
-        for (int row = 0; row < 3; ++row)
-#pragma GCC unroll 3
-          for (int column = row; column < 3; ++column)
-          {
-            V x = along_t * t[row] * t[column];
+              x -= along;
+            x *= in.stiffness;
             if (row == column)
-              x += even;
-            out.n_dr[entryOf(row, column)] = x;
+              x += 2.0 * in.damping * flow_speed * mass;
+            out.f_dr[3 * row + column] = SHAPE.weight[g] * x;
           }
       }
     }
@@ -419,38 +234,13 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
         rate[k] += constant(end == 0 ? FLOW_SPEED_A : FLOW_SPEED_B) * inverse_length * inverse_length *
                    slopeAt(SHAPE.C_node[end], q, k);
     }
-    const V natural2 = natural * natural;
-    const V strain = 0.5 * (natural2 * dot(t, t) - 1.0);
-    const V push = larger(-strain * push_rate, V{});
-    V give = spread<W>(1.0);
-    if (any<W>(push > 0.0))
-      give = 1.0 / (1.0 + push);
-    V N = stiff_part * strain + soft_part * strain * give;
-    if (in.has_damping)
-      N += viscosity * (natural2 * dot(t, rate));
-    N *= natural * AXIAL_AT_NODES;
+    const Axial<V> pull = axial<W>(cable, t, rate, in.has_damping);
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
-      R[2 * end + 1][k] += N * t[k];
+      R[2 * end + 1][k] += AXIAL_AT_NODES * pull.N * t[k];
     if constexpr (TANGENT)
-    {
-      const V cube = AXIAL_AT_NODES * inverse_length * natural * natural2;
-      const V along_t = cube * (in.stiffness * (stiff_part + soft_part * give * give) + in.damping * viscosity);
-      const V even = inverse_length * in.stiffness * N;
-      const V along_rate = cube * in.stiffness * viscosity;
-#pragma GCC unroll 3
-      for (int row = 0; row < 3; ++row)
-#pragma GCC unroll 3
-        for (int column = COMPLETE ? 0 : row; column < 3; ++column)
-        {
-          V x = along_t * t[row] * t[column];
-          if (COMPLETE)
-            x += along_rate * t[row] * rate[column];
-          if (row == column)
-            x += even;
-          node_dr[end][COMPLETE ? 3 * row + column : entryOf(row, column)] = x;
-        }
-    }
+      axialTangent<COMPLETE>(pull, cable, t, rate, AXIAL_AT_NODES * inverse_length, in.damping, in.stiffness,
+                             node_dr[end]);
   }
 
   V own[6], next[6];  // what the nodes a and b receive
