@@ -82,6 +82,9 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
   if (e.seabed_contact_length > 0.0)
     status.add("On the seabed [m]", e.seabed_contact_length);
   status.add("Elements", estimator.model().elements());
+  status.add("Largest step [s]", estimator.mesh().step);
+  if (estimator.config().accuracy)
+    status.add("Expected error of the mesh [-]", estimator.mesh().error);
   status.add("Steps", estimator.count().steps);
   status.add("Rejected steps", estimator.count().rejected);
   status.add("Newton iterations", estimator.count().iterations);

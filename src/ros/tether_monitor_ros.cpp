@@ -70,8 +70,10 @@ TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHan
                                              lookAtVibration();
                                              updater_.force_update();
                                            });
-  ROS_INFO("%s watches a tether of %g m in %d elements at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
-           config.tether.length, config.elements, config.rate, config.world_frame.c_str());
+  const std::string elements =
+      config.accuracy ? "as many elements as it needs" : std::to_string(config.elements) + " elements";
+  ROS_INFO("%s watches a tether of %g m in %s at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
+           config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
 }
 
 template <typename Message>

@@ -237,6 +237,24 @@ TEST(LoadConfig, WrongShapesAreNamed)
   EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = true is not a number"});
 }
 
+TEST(LoadConfig, ElementsMayBeChosenForAnAccuracy)
+{
+  EXPECT_FALSE(loadConfig(tree(tetherKeys()), "/test").accuracy);
+  Value::Map keys = tetherKeys();
+  keys["elements"] = std::string("auto");
+  EXPECT_EQ(loadConfig(tree(keys), "/test").accuracy, 1e-3);
+  keys["accuracy"] = 5e-3;
+  EXPECT_EQ(loadConfig(tree(keys), "/test").accuracy, 5e-3);
+  keys["accuracy"] = 0.5;
+  EXPECT_EQ(faultsOf(tree(keys)),
+            std::vector<std::string>{"tether.accuracy = 0.5 (must be >= 1e-05 and <= 0.1 [-])"});
+  keys["elements"] = 50.0;
+  EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.accuracy is for elements: auto"});
+  keys["elements"] = std::string("many");
+  keys.erase("accuracy");
+  EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = 'many' is not a number"});
+}
+
 TEST(LoadConfig, ACurrentOutOfOrderIsNamed)
 {
   const Value::List zero{0.0, 0.0, 0.0};

@@ -61,8 +61,8 @@ class Tools(unittest.TestCase):
         self.assertTrue(all(row["status"] in ("OK", "DEGRADED") for row in ends))
         with open(self.out + "/summary.json") as text:
             summary = json.load(text)
-        self.assertEqual(set(summary), {"reason", "simulated_seconds", "cpu_seconds", "steps", "iterations", "rejected_steps",
-                                        "worst_step_us", "max_tension", "max_tension_t", "max_tension_s", "status"})
+        self.assertEqual(set(summary), {"elements", "largest_step", "expected_error", "reason", "simulated_seconds", "cpu_seconds",
+                                        "steps", "iterations", "rejected_steps", "worst_step_us", "max_tension", "max_tension_t", "max_tension_s", "status"})
         self.assertEqual(sum(summary["status"].values()), 249)
         alarms = rows(self.out + "/alarms.csv")
         self.assertIn("over_tension", [row["name"] for row in alarms])
