@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "core/support/compare.h"
+#include "core/support/systems.h"
 
 namespace tether_monitor::core
 {
@@ -25,31 +24,31 @@ TEST(MorisonDrag, VanishesWithoutFlowAndOpposesIt)
 TEST(MorisonDrag, WithoutADirectionAllFlowIsNormal)
 {
   const Vector3 u(0.0, 3.0, 4.0);
-  EXPECT_TRUE(matricesNear(morisonDrag(2.0, 0.5, u, Vector3::Zero()).force, Vector3(10.0 * u), 1e-12));
+  EXPECT_TRUE(matricesNear(morisonDragForce(2.0, 0.5, u, Vector3::Zero()), Vector3(10.0 * u), 1e-12));
 }
 
 class MorisonDragProperty : public ::testing::TestWithParam<unsigned>
 {
 };
 
-TEST_P(MorisonDragProperty, DerivativesMatchDifferences)
+TEST_P(MorisonDragProperty, AnElementInUniformMotionFeelsItAllAlong)
 {
-  std::mt19937 g(GetParam());
-  std::uniform_real_distribution<double> x(-2.0, 2.0);
-  const Vector3 u(x(g), x(g), x(g)), slope(x(g), x(g), x(g));
-  const DragLaw at = morisonDrag(1.3, 0.4, u, slope);
-  EXPECT_TRUE(matricesNear(at.force, morisonDragForce(1.3, 0.4, u, slope), 1e-13));
-  const double h = 1e-6;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Vector3 d = h * Vector3::Unit(i);
-    const Vector3 by_u =
-        (morisonDragForce(1.3, 0.4, u + d, slope) - morisonDragForce(1.3, 0.4, u - d, slope)) / (2 * h);
-    const Vector3 by_slope =
-        (morisonDragForce(1.3, 0.4, u, slope + d) - morisonDragForce(1.3, 0.4, u, slope - d)) / (2 * h);
-    EXPECT_TRUE(matricesNear(at.d_velocity.col(i), by_u, 1e-7));
-    EXPECT_TRUE(matricesNear(at.d_slope.col(i), by_slope, 1e-6 * (1.0 + at.d_slope.norm())));
-  }
+  RandomElement random(GetParam());
+  ElementParameters& p = random.p;
+  p.bending_stiffness = p.axial.damping = 0.0;
+  const Vector3 direction = random.vector(1.0).normalized(), u = random.vector(2.0);
+  ElementMotion motion{ElementCoords::Zero(), ElementCoords::Zero(), ElementCoords::Zero()};
+  motion.q << 0, 0, -100, direction, Vector3(0, 0, -100) + p.length * direction, direction;
+  motion.v << u, Vector3::Zero(), u, Vector3::Zero();
+  const Environment sea;
+  ElementCoords residual;
+  elementResidual(p, sea, motion, residual);
+  const double half_rho_d = 0.5 * sea.water_density * p.diameter;
+  Vector3 expected =
+      p.length * morisonDragForce(half_rho_d * p.drag_normal, half_rho_d * p.drag_tangential, u, direction);
+  expected.z() += p.length * sea.gravity * (p.mass - sea.water_density * p.area);
+  const Vector3 force = residual.segment<3>(0) + residual.segment<3>(6);
+  EXPECT_TRUE(matricesNear(force, expected, 1e-10 * (1.0 + expected.norm())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, MorisonDragProperty, ::testing::Range(1u, 21u));
