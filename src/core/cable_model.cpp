@@ -69,18 +69,22 @@ CableModel::CableModel(const CableProperties& properties, int elements, const En
   const double grows_to = firstFixedPoint(properties.length, fittings);
   for (int i = 0; i < elements; ++i)
   {
-    const double length = arc_length_[i + 1] - arc_length_[i];
+    double length = arc_length_[i + 1] - arc_length_[i];
     const double middle = 0.5 * (arc_length_[i + 1] + arc_length_[i]);
     kind_.push_back(0);
     for (std::size_t k = 0; k < fittings.sections.size(); ++k)
       if (middle > fittings.sections[k].from && middle < fittings.sections[k].to)
         kind_.back() = static_cast<int>(k) + 1;
-    elements_.push_back(elementParameters(kinds_[kind_.back()], length, sea.gravity));
     if (middle < grows_to)
+    {
       growing_share_.push_back(length / grows_to);
+      length = growing_share_.back() * grows_to;  // as setPayout() rounds it
+    }
+    elements_.push_back(elementParameters(kinds_[kind_.back()], length, sea.gravity));
   }
   fixed_length_ = properties.length - grows_to;
   built_length_ = properties.length;
+  built_arc_length_ = arc_length_;
   payout_.length = properties.length;
   bend_limit_ = core::bendLimit(properties, fittings);
   for (const Attachment& attachment : fittings.attachments)
@@ -153,12 +157,12 @@ void CableModel::setPayout(const PayoutMotion& payout)
   for (CableProperties& kind : kinds_)
     kind.length = payout.length;
   double covered = 0.0;  // share of the growing piece before an element
-  const double change = payout.length - length();
+  const double change = payout.length - built_length_;
   for (int i = 0; i < elements(); ++i)
   {
     if (i >= static_cast<int>(growing_share_.size()))
     {
-      arc_length_[i + 1] += change;
+      arc_length_[i + 1] = built_arc_length_[i + 1] + change;
       continue;
     }
     ElementParameters& e = elements_[i];

@@ -33,6 +33,7 @@ void placeHeldEnds(const CableModel& model, const EndPaths& ends, CableState& tr
     trial.q[node].head<3>() = path.position(trial.time);
     trial.v[node].head<3>() = path.velocity(trial.time);
     trial.a[node].head<3>() = path.acceleration(trial.time);
+    trial.aux[node].head<3>() = trial.a[node].head<3>();
   };
   const HeldEnds held = heldEnds(model);
   if (held.vessel)

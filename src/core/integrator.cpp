@@ -91,7 +91,7 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
   if (border)
     border->setZero();
   kernel_ = &model.kernel();
-  if (wanted == Wanted::RESIDUAL && !border)
+  if (wanted == Wanted::RESIDUAL)
     model.assemble(trial_, residual_);
   else
     model.assemble(trial_, weights, residual_, tangent_,
@@ -192,7 +192,8 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const EndPaths& ends, doub
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
   double previous = 0.0;
-  Wanted wanted = state.effort == 0 ? Wanted::RESIDUAL : Wanted::SYMMETRIC, tangent = Wanted::SYMMETRIC;
+  Wanted wanted = state.effort == 0 && pushed_.empty() ? Wanted::RESIDUAL : Wanted::SYMMETRIC,
+         tangent = Wanted::SYMMETRIC;
   for (int k = 0;; ++k)
   {
     ResidualSize size = assemble(model, ends, weights, wanted);
@@ -217,7 +218,7 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const EndPaths& ends, doub
       size = assemble(model, ends, weights, tangent);
     // What the next residual will be if it falls as before: the tangent is made only where it will be used.
     const double fall = k == 0 ? (state.effort <= 1 ? 0.0 : 1.0) : size.largest / previous;
-    wanted = fall * size.largest <= size.tolerance ? Wanted::RESIDUAL : tangent;
+    wanted = fall * size.largest <= size.tolerance && pushed_.empty() ? Wanted::RESIDUAL : tangent;
     previous = size.largest;
     ++report.iterations;
     if (!std::isfinite(size.largest) || !solve())

@@ -7,7 +7,6 @@
 
 #include "tether_monitor/core/cable_forces.h"
 #include "tether_monitor/core/contact.h"
-#include "tether_monitor/core/settling.h"
 
 namespace tether_monitor::core
 {
@@ -18,7 +17,10 @@ constexpr double HEAVE = 1.0, HEAVE_PERIOD = 8.0;            // [m], [s]
 constexpr double CIRCLE = 5.0, CIRCLE_PERIOD = 60.0;         // [m], [s]
 constexpr double WAY = 1.5;                                  // [m/s]
 constexpr double SLACK_SHARE = 0.25, LEAST_MOTION = 2e-4;    // of the slack, of the length
-constexpr int WIDTH = kernel::BLOCK;                         // elements come in blocks
+constexpr double BUDGET = 6e6;        // iterations times elements of all trials: a second at most, or two
+constexpr int TRIAL_ITERATIONS = 60;  // of a full step
+constexpr int MOST_HALVINGS = 4;      // of the step
+constexpr int WIDTH = kernel::BLOCK;  // elements come in blocks
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 // A motion that begins with a smooth ramp: its share and the time it has gone on for.
@@ -67,7 +69,7 @@ struct TrialMotion
 using Tensions = std::vector<Vector3>;  // vessel, vehicle, nothing
 
 Tensions tryOut(CableModel& model, const NodeField& shape, const TrialMotion& motion,
-                const StepperOptions& options)
+                const StepperOptions& options, double& budget)
 {
   Tensions record;
   CableState state(0.0, shape, motion.ends.velocity);
@@ -80,7 +82,9 @@ Tensions tryOut(CableModel& model, const NodeField& shape, const TrialMotion& mo
     paths.vessel = EndPath::between(t0, motion.vessel(t0), t, motion.vessel(t));
     if (!model.bodies().vehicle)
       paths.vehicle = EndPath::between(t0, motion.vehicle(t0), t, motion.vehicle(t));
-    if (!stepper.advance(model, paths, t, state).converged())
+    const SolveReport report = stepper.advance(model, paths, t, state);
+    budget -= static_cast<double>(report.iterations + report.steps) * model.elements();
+    if (!report.converged() || budget < 0.0)
       return {};
     const EndForces forces = endForces(model, state);
     record.emplace_back(forces.vessel.norm(), forces.vehicle.norm(), 0.0);
@@ -103,44 +107,61 @@ double difference(const std::vector<Tensions>& coarse, const std::vector<Tension
     }
     const double n = static_cast<double>(coarse[k].size());
     for (int end = 0; end < 2; ++end)
+    {
+      if (!std::isfinite(mean[end] + square[end]))
+        return INFINITE;
       if (mean[end] > 0.0)
         worst = std::max(worst, std::sqrt(square[end] / n) / (mean[end] / n));
+    }
   }
   return std::isfinite(worst) ? worst : INFINITE;
+}
+
+// Horizontal direction in which the tether leads; where it hangs straight down, that of the flow.
+Vector3 aheadOf(const CableModel& model, const SteadyEnds& ends)
+{
+  const Vector3 flow = ends.velocity - model.environment().current.at(0.0);
+  for (Vector3 direction : {Vector3(ends.vessel - ends.vehicle), flow})
+  {
+    direction.z() = 0.0;
+    if (direction.norm() > 1e-6 * model.length())
+      return direction.normalized();
+  }
+  return Vector3::UnitX();
 }
 
 class Trials
 {
  public:
-  Trials(const std::function<CableModel(int)>& make, const SteadyEnds& ends) : make_(make)
-  {
-    Vector3 ahead = ends.vessel - ends.vehicle;
-    ahead.z() = 0.0;
-    ahead = ahead.norm() > 1e-9 ? Vector3(ahead.normalized()) : Vector3::UnitX();
-    for (const double way : {WAY, -WAY})
-      motions_.push_back({ends, way * ahead, 0.0, 0.0});
-  }
+  Trials(const std::function<CableModel(int)>& make, const SteadyEnds& ends) : make_(make), ends_(ends) {}
 
-  std::vector<Tensions> run(int elements, const StepperOptions& options)
+  std::vector<Tensions> run(int elements, const StepperOptions& given)
   {
-    std::vector<Tensions> records(motions_.size());
+    std::vector<Tensions> records(2);
+    if (left_ < 0.0)
+      return records;
+    StepperOptions options = given;
+    options.max_iterations = std::min(options.max_iterations, TRIAL_ITERATIONS);
     try
     {
       CableModel model = make_(elements);
       NodeField shape;
       Statics statics(model.nodes());
-      SteadyEnds ends = motions_.front().ends;
-      if (!findSteadyState(statics, model, ends, shape).converged())
+      const SolveReport steady = statics.solve(model, ends_, shape);
+      left_ -= static_cast<double>(steady.iterations) * elements;
+      if (!steady.converged())
         return records;
-      ends.vehicle = shape.back().head<3>();
-      const double slack = SLACK_SHARE * std::max(model.length() - (ends.vessel - ends.vehicle).norm(), 0.0);
-      const double room = std::max(slack, LEAST_MOTION * model.length());
-      for (std::size_t k = 0; k < motions_.size(); ++k)
+      TrialMotion motion{ends_, Vector3::Zero(), HEAVE, 0.0};
+      motion.ends.vehicle = shape.back().head<3>();
+      const double slack = model.length() - (motion.ends.vessel - motion.ends.vehicle).norm();
+      const double room = std::max(SLACK_SHARE * slack, LEAST_MOTION * model.length());
+      if (!model.bodies().vehicle)
+        motion.heave = std::min(HEAVE, room);
+      motion.circle = std::min(CIRCLE, room);
+      for (int k = 0; k < 2; ++k)
       {
-        TrialMotion motion = motions_[k];
-        motion.heave = model.bodies().vehicle ? HEAVE : std::min(HEAVE, room);
-        motion.circle = std::min(CIRCLE, room);
-        records[k] = tryOut(model, shape, motion, options);
+        motion.way = (k == 0 ? WAY : -WAY) * aheadOf(model, motion.ends);
+        records[k] = tryOut(model, shape, motion, options, left_);
       }
     }
     catch (const std::invalid_argument&)
@@ -149,27 +170,47 @@ class Trials
     }
     return records;
   }
+  bool isPossible(int elements) const
+  {
+    try
+    {
+      make_(elements);
+      return true;
+    }
+    catch (const std::invalid_argument&)
+    {
+      return false;
+    }
+  }
 
  private:
   const std::function<CableModel(int)>& make_;
-  std::vector<TrialMotion> motions_;
+  SteadyEnds ends_;
+  double left_ = BUDGET;
 };
 
-int inBlocks(double elements)
+int inBlocks(double elements, int fewest)
 {
-  return std::clamp(static_cast<int>(std::ceil(elements / WIDTH - 1e-9)) * WIDTH, FEWEST_ELEMENTS, MOST_ELEMENTS);
+  return std::clamp(static_cast<int>(std::ceil(elements / WIDTH - 1e-9)) * WIDTH, fewest, MOST_ELEMENTS);
 }
 }  // namespace
 
 MeshChoice chooseMesh(const std::function<CableModel(int)>& make, const SteadyEnds& ends, double accuracy,
-                      const StepperOptions& options)
+                      const StepperOptions& options, int fallback)
 {
   Trials trials(make, ends);
   StepperOptions used = options;
-  MeshChoice choice{MOST_ELEMENTS, options.step, INFINITE, false};
-  std::vector<Tensions> coarse = trials.run(FEWEST_ELEMENTS, used);
+  const MeshChoice given{fallback, options.step, INFINITE, false};
+  int fewest = FEWEST_ELEMENTS;
+  while (fewest < MOST_ELEMENTS && !trials.isPossible(fewest))
+    fewest += WIDTH;
+  if (2 * fewest > MOST_ELEMENTS)
+    return given;
+
+  MeshChoice choice = given;
+  std::vector<Tensions> coarse = trials.run(fewest, used);
   double before = INFINITE;
-  for (int elements = FEWEST_ELEMENTS; elements <= MOST_ELEMENTS / 2; elements *= 2)
+  for (int elements = fewest; 2 * elements <= MOST_ELEMENTS; elements *= 2)
   {
     const std::vector<Tensions> fine = trials.run(2 * elements, used);
     choice.error = difference(coarse, fine);
@@ -180,20 +221,23 @@ MeshChoice chooseMesh(const std::function<CableModel(int)>& make, const SteadyEn
       before = choice.error;
       continue;
     }
+    if (!std::isfinite(choice.error))
+      return given;
     // The error falls with a power of the number of elements: the number that is just enough.
-    const double order = std::isfinite(before) ? std::clamp(std::log2(before / choice.error), 1.0, 4.0) : 2.0;
-    const double enough = elements * std::pow(choice.error / accuracy, 1.0 / order);
-    choice.elements = std::isfinite(enough) ? inBlocks(enough) : MOST_ELEMENTS;
+    const double order =
+        std::isfinite(before) ? std::clamp(std::log2(before / std::max(choice.error, 1e-300)), 1.0, 4.0) : 2.0;
+    choice.elements = inBlocks(elements * std::pow(choice.error / accuracy, 1.0 / order), fewest);
     choice.error *= std::pow(static_cast<double>(elements) / choice.elements, order);
     choice.reached = choice.error <= accuracy;
     break;
   }
   coarse = trials.run(choice.elements, used);
-  for (int halving = 0; halving < 4; ++halving)
+  for (int halving = 0; halving < MOST_HALVINGS; ++halving)
   {
     used.step = 0.5 * choice.step;
     const std::vector<Tensions> fine = trials.run(choice.elements, used);
-    if (difference(coarse, fine) <= accuracy)
+    const double change = difference(coarse, fine);
+    if (change <= std::max(accuracy, choice.error) || !std::isfinite(change))
       break;
     choice.step = used.step;
     coarse = fine;

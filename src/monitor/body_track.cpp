@@ -184,6 +184,18 @@ BodyTrack::Slope BodyTrack::ratesAt(std::size_t pose, double t) const
           rotationRate(poses_[first].orientation, poses_[last].orientation, poses_[last].t - poses_[first].t)};
 }
 
+bool BodyTrack::isSound() const
+{
+  bool sound = poses_.size() <= CAPACITY && rates_.size() <= CAPACITY;
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    sound = sound && std::isfinite(poses_[i].t) && poses_[i].position.allFinite() &&
+            std::abs(poses_[i].orientation.norm() - 1.0) < 1e-6 && (i == 0 || poses_[i].t > poses_[i - 1].t);
+  for (std::size_t i = 0; i < rates_.size(); ++i)
+    sound = sound && std::isfinite(rates_[i].t) && rates_[i].velocity.allFinite() &&
+            rates_[i].angular_velocity.allFinite() && (i == 0 || rates_[i].t > rates_[i - 1].t);
+  return sound;
+}
+
 BodyState BodyTrack::at(double t) const
 {
   const auto after =

@@ -39,13 +39,13 @@ core::CableModel modelOf(const Config& config)
   return model;
 }
 
-bool isPossibleLength(const Config& config, double length)
+bool isPossibleLength(const Config& config, double length, int elements)
 {
   if (!std::isfinite(length) || length <= 0.0)
     return false;
   const core::CableFittings fittings = shifted(length - config.tether.length, config.fittings);
   return core::problems(fittings, length).empty() &&
-         core::elementCountProblems(config.elements, length, fittings).empty();
+         core::elementCountProblems(elements, length, fittings).empty();
 }
 
 core::CableModel modelAt(const Config& config, double length, int elements)
@@ -74,12 +74,11 @@ ModelMemory memoryOf(const core::CableModel& model)
 
 std::optional<core::CableModel> modelFrom(const Config& config, const ModelMemory& memory)
 {
-  Config changed = config;
-  changed.elements = memory.elements;
   bool is_possible = memory.drag_normal.size() == static_cast<std::size_t>(std::max(memory.elements, 0)) &&
-                     isPossibleLength(changed, memory.built_length) && std::isfinite(memory.payout.rate) &&
-                     std::isfinite(memory.payout.acceleration) && std::isfinite(memory.epoch) &&
-                     memory.origin.allFinite() && core::problems(memory.current).empty();
+                     isPossibleLength(config, memory.built_length, memory.elements) &&
+                     std::isfinite(memory.payout.rate) && std::isfinite(memory.payout.acceleration) &&
+                     std::isfinite(memory.epoch) && memory.origin.allFinite() &&
+                     core::problems(memory.current).empty();
   for (const double drag : memory.drag_normal)
     is_possible = is_possible && std::isfinite(drag) && drag >= 0.0;
   for (const core::Obstacle& obstacle : memory.obstacles)

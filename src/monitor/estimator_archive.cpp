@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include "tether_monitor/core/archive.h"
 #include "tether_monitor/monitor/deployed_model.h"
+#include "tether_monitor/monitor/fingerprint.h"
 #include "tether_monitor/monitor/tether_estimator.h"
 
 namespace tether_monitor::monitor
@@ -12,25 +16,47 @@ const char* const FORMAT = "tether_monitor state 1";
 struct Header
 {
   std::string format = FORMAT;
-  double length = 0.0, stiffness = 0.0;  // of the configuration that it belongs to
+  std::uint64_t configuration = 0;
   ModelMemory model;
   core::MeshChoice mesh;
 
   template <class Archive>
   void archive(Archive& a)
   {
-    a(format, length, stiffness, model, mesh);
+    a(format, configuration, model, mesh);
   }
 };
+
+bool isEmptyOr(std::size_t count, std::size_t size)
+{
+  return size == 0 || size == count;
+}
 
 // A state that the model can be stepped from.
 bool fits(const core::CableState& state, const core::CableModel& model)
 {
-  const std::size_t nodes = model.nodes();
+  const std::size_t points = core::kernel::POINTS * static_cast<std::size_t>(model.elements());
+  const std::size_t obstacles = model.environment().obstacles.size();
   for (const core::NodeField* field : {&state.q, &state.v, &state.a, &state.aux})
-    if (field->size() != nodes)
+    if (field->size() != static_cast<std::size_t>(model.nodes()))
       return false;
-  return state.allFinite() && state.obstacles.size() == model.environment().obstacles.size();
+  return state.allFinite() && state.obstacles.size() == obstacles &&
+         isEmptyOr(points, state.contact.seabed.size()) && isEmptyOr(points, state.contact.obstacle.size()) &&
+         state.contact.obstacle_position.size() == obstacles &&
+         state.contact.friction >= core::FrictionMode::STICK_SLIP &&
+         state.contact.friction <= core::FrictionMode::GLUED;
+}
+
+// An estimate that the model can be written into.
+bool fits(const TetherEstimate& e, const core::CableModel& model)
+{
+  const std::size_t stations = 2 * static_cast<std::size_t>(model.elements()) + 1;
+  const core::StationField& f = e.stations;
+  for (const std::vector<double>* values : {&f.s, &f.tension, &f.strain, &f.stress, &f.bend_radius})
+    if (values->size() != stations)
+      return false;
+  return f.position.size() == stations && e.contact.obstacles.size() == model.environment().obstacles.size() &&
+         e.status >= Status::OK && e.status <= Status::INVALID && std::string(describe(e.reason)) != "unknown";
 }
 }  // namespace
 
@@ -38,8 +64,7 @@ std::vector<std::uint8_t> TetherEstimator::save() const
 {
   TetherEstimator copy = *this;  // an archive takes what it lists by reference
   Header header;
-  header.length = config_.tether.length;
-  header.stiffness = config_.tether.axial_stiffness;
+  header.configuration = fingerprint(config_);
   header.model = memoryOf(model_);
   header.mesh = mesh_;
   core::ArchiveWriter writer;
@@ -57,24 +82,27 @@ bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
   Header header;
   core::ArchiveReader first(bytes);
   first(header);
-  if (!first.ok() || header.format != FORMAT || header.length != config_.tether.length ||
-      header.stiffness != config_.tether.axial_stiffness || !(header.mesh.step > 0.0) ||
-      header.mesh.elements != header.model.elements)
-    return false;
-  std::optional<core::CableModel> model = modelFrom(config_, header.model);
+  const bool is_mine = first.ok() && header.format == FORMAT && header.configuration == fingerprint(config_) &&
+                       std::isfinite(header.mesh.step) && header.mesh.step > 0.0 &&
+                       header.mesh.elements == header.model.elements &&
+                       (config_.accuracy || header.mesh.elements == config_.elements);
+  std::optional<core::CableModel> model = is_mine ? modelFrom(config_, header.model) : std::nullopt;
   if (!model)
     return false;
   TetherEstimator copy = *this;
   first(copy);
-  if (!first.finished() || (copy.settled_ && !fits(copy.state_, *model)))
+  const bool is_sound = first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isSound() &&
+                        copy.vehicle_.isSound() && copy.payout_.isSound() &&
+                        (!copy.settled_ || fits(copy.state_, *model));
+  if (!is_sound || (copy.told_depth_ && !copy.setDepth(*copy.told_depth_)))
     return false;
+  if (copy.told_depth_)
+    model->sea().setDepth(*copy.told_depth_);
 
   // Once more into the members themselves: what they have reserved stays theirs.
   rebuild(std::move(*model), header.mesh);
   core::ArchiveReader second(bytes);
   second(header, *this);
-  if (told_depth_)
-    model_.sea().setDepth(*told_depth_);
   stepper_.prepareObstacles(model_);
   return true;
 }

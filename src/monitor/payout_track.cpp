@@ -67,4 +67,13 @@ core::PayoutMotion PayoutTrack::follow(double t)
   return {target.position.x(), target.velocity.x(), now.acceleration};
 }
 
+bool PayoutTrack::isSound() const
+{
+  bool sound = count_ <= CAPACITY;
+  for (std::size_t i = 0; sound && i < count_; ++i)
+    sound = std::isfinite(reports_[i].t) && std::isfinite(reports_[i].length) && std::isfinite(reports_[i].rate) &&
+            (i == 0 || reports_[i].t > reports_[i - 1].t);
+  return sound;
+}
+
 }  // namespace tether_monitor::monitor

@@ -71,10 +71,15 @@ bool TetherEstimator::setDepth(double depth)
   return true;
 }
 
+// Whether another deployed length can be meshed, with as many elements as there may be.
+bool TetherEstimator::isPossible(double length) const
+{
+  return isPossibleLength(config_, length, config_.accuracy ? core::MOST_ELEMENTS : config_.elements);
+}
+
 bool TetherEstimator::addPayout(double t, double length, double rate)
 {
-  const bool is_possible =
-      (model_.canPayTo(length) || isPossibleLength(config_, length)) && length <= winch_capacity_;
+  const bool is_possible = (model_.canPayTo(length) || isPossible(length)) && length <= winch_capacity_;
   return is_possible && !(std::abs(rate) > FASTEST_WINCH) && payout_.add(t, length, rate);
 }
 
@@ -86,11 +91,14 @@ bool TetherEstimator::setLength(double length)
     model_.setPayout({length, 0.0, 0.0});
     return true;
   }
-  if (!isPossibleLength(config_, length))
+  if (!isPossible(length))
     return false;
-  const core::Sea sea = model_.sea();
-  model_ = modelAt(config_, length, config_.elements);
-  model_.sea() = sea;
+  core::MeshChoice mesh = mesh_;
+  while (!isPossibleLength(config_, length, mesh.elements))
+    ++mesh.elements;
+  core::CableModel model = modelAt(config_, length, mesh.elements);
+  model.sea() = model_.sea();
+  rebuild(std::move(model), mesh);
   return true;
 }
 
@@ -200,18 +208,28 @@ void TetherEstimator::chooseMesh(const core::SteadyEnds& ends)
     model.sea() = model_.sea();
     return model;
   };
-  const core::MeshChoice mesh = core::chooseMesh(make, ends, *config_.accuracy, config_.solver);
-  rebuild(make(mesh.elements), mesh);
+  const core::MeshChoice mesh = core::chooseMesh(make, ends, *config_.accuracy, config_.solver, model_.elements());
+  rebuild(mesh.elements == model_.elements() ? model_ : make(mesh.elements), mesh);
+}
+
+// A mesh serves as long as the tether is about as long, as taut and as fast.
+bool TetherEstimator::needsMesh(const core::SteadyEnds& ends) const
+{
+  constexpr double LENGTH_SHARE = 0.1, CHORD_SHARE = 0.02, SPEED = 0.5;  // of the length, of the length, [m/s]
+  const double length = model_.length(), chord = (ends.vessel - ends.vehicle).norm();
+  return config_.accuracy && !(std::abs(length - mesh_length_) < LENGTH_SHARE * length &&
+                               std::abs(chord - mesh_chord_) < CHORD_SHARE * length &&
+                               (ends.velocity - mesh_velocity_).norm() < SPEED);
 }
 
 void TetherEstimator::rebuild(core::CableModel model, const core::MeshChoice& mesh)
 {
-  mesh_ = mesh;
-  config_.elements = mesh.elements;
   core::StepperOptions solver = config_.solver;
   solver.step = mesh.step;
+  core::Stepper stepper(model, solver);
+  mesh_ = mesh;
   model_ = std::move(model);
-  stepper_ = core::Stepper(model_, solver);
+  stepper_ = std::move(stepper);
   statics_ = core::Statics(model_.nodes());
   estimate_.stations = core::StationField(mesh.elements);
 }
@@ -229,10 +247,23 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
   if (ends.payout && !setLength(ends.payout->length))
     return false;
   model_.setPayout({model_.length(), 0.0, 0.0});
-  if (config_.accuracy)
-    chooseMesh(steady);
   core::NodeField shape;
   last_solve_ = core::findSteadyState(statics_, model_, steady, shape);
+  if (last_solve_.converged() && needsMesh(steady))
+  {
+    const core::CableModel before = model_;
+    const core::MeshChoice mesh_before = mesh_;
+    mesh_length_ = model_.length();
+    mesh_chord_ = (steady.vessel - steady.vehicle).norm();
+    mesh_velocity_ = steady.velocity;
+    chooseMesh(steady);
+    core::NodeField finer;
+    const core::SolveReport report = core::findSteadyState(statics_, model_, steady, finer);
+    if (report.converged())
+      shape = finer;
+    else
+      rebuild(before, mesh_before);
+  }
   if (!last_solve_.converged())
     return false;
   state_ = core::CableState(t, shape, ends.vessel.velocity);

@@ -76,6 +76,28 @@ TEST(EstimatorArchive, GoesOnBitForBit)
   EXPECT_EQ(other.estimator.save(), feeder.estimator.save());
 }
 
+TEST(ChosenMesh, HasRoomForWhatIsFixedToTheTether)
+{
+  Config config = testConfig();
+  config.accuracy = 0.1;
+  for (int i = 0; i < 20; ++i)
+    config.fittings.attachments.push_back({"clamp", 0.5 + 0.5 * i, 0.5, 1e-4, 0.0});
+  Feeder feeder(config);
+  feeder.vehicle = {70.0, 0.0, -70.0};
+  EXPECT_NO_THROW(feeder.run(2.0));
+  EXPECT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+}
+
+TEST(ChosenMesh, StaysAsGivenWhereTheTrialsTellNothing)
+{
+  const core::MeshChoice mesh = core::chooseMesh(
+      [](int) -> core::CableModel { throw std::invalid_argument("never"); },
+      {{0, 0, 0}, {60, 0, -70}, {0, 0, 0}}, 1e-3, core::StepperOptions(), 50);
+  EXPECT_EQ(mesh.elements, 50);
+  EXPECT_EQ(mesh.step, core::StepperOptions().step);
+  EXPECT_FALSE(mesh.reached);
+}
+
 TEST(EstimatorArchive, TakesOverAMeshThatWasChosen)
 {
   Config config = testConfig();
@@ -89,6 +111,63 @@ TEST(EstimatorArchive, TakesOverAMeshThatWasChosen)
   EXPECT_EQ(other.estimator.model().elements(), feeder.estimator.model().elements());
   other.t = feeder.t;
   EXPECT_EQ(other.run(1.0).vessel_tension, feeder.run(1.0).vessel_tension);
+}
+
+TEST(EstimatorArchive, GoesOnAfterALongQuietTime)
+{
+  // Held ends in smooth motion: nothing that steps carry along may grow.
+  Feeder feeder;
+  for (int k = 0; k < 2000; ++k)
+  {
+    feeder.vessel.z() = 1.0 + 0.2 * std::sin(0.05 * k);
+    feeder.run(0.05);
+  }
+  ASSERT_TRUE(feeder.estimator.state().allFinite());
+  TetherEstimator other(testConfig());
+  EXPECT_TRUE(other.restore(feeder.estimator.save()));
+}
+
+TEST(EstimatorArchive, GoesOnBitForBitWithFittingsOnAWinch)
+{
+  Config config = testConfig();
+  core::CableSection heavy;
+  heavy.from = 40.0;
+  heavy.to = 100.0;
+  heavy.properties = config.tether;
+  heavy.properties.mass_per_length = 0.3;
+  config.fittings.sections.push_back(heavy);
+  config.fittings.attachments.push_back({"float", 70.0, 2.0, 0.004, 0.01});
+  Feeder feeder(config);
+  double length = 100.0;
+  drive(feeder, 20.0, length);
+  ASSERT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+  Feeder other(config);
+  ASSERT_TRUE(other.estimator.restore(feeder.estimator.save()));
+  other.t = feeder.t;
+  double other_length = length;
+  drive(feeder, 2.0, length);
+  drive(other, 2.0, other_length);
+  EXPECT_EQ(other.estimator.save(), feeder.estimator.save());
+}
+
+TEST(EstimatorArchive, RefusesAStateOfAnotherConfiguration)
+{
+  Config with = testConfig();
+  with.environment.seabed = core::Seabed();
+  with.environment.seabed->depth = 90.0;
+  Feeder feeder(with);
+  feeder.run(1.0);
+  ASSERT_TRUE(feeder.estimator.setDepth(95.0));
+  feeder.run(0.5);
+  const std::vector<std::uint8_t> saved = feeder.estimator.save();
+  TetherEstimator same(with);
+  EXPECT_TRUE(same.restore(saved));
+  TetherEstimator without(testConfig());
+  EXPECT_FALSE(without.restore(saved));
+  Config heavier = with;
+  heavier.tether.mass_per_length *= 1.1;
+  TetherEstimator other(heavier);
+  EXPECT_FALSE(other.restore(saved));
 }
 
 TEST(EstimatorArchive, RefusesWhatIsNoSuchState)

@@ -177,12 +177,19 @@ class ArchiveReader
   bool ok_ = true;
 };
 
-/// Puts a checksum (FNV-1a, 64 bit) behind the bytes.
-inline void seal(std::vector<std::uint8_t>& bytes)
+/// FNV-1a, 64 bit.
+inline std::uint64_t checksum(const std::vector<std::uint8_t>& bytes)
 {
   std::uint64_t sum = 14695981039346656037ull;
   for (const std::uint8_t byte : bytes)
     sum = (sum ^ byte) * 1099511628211ull;
+  return sum;
+}
+
+/// Puts the checksum behind the bytes.
+inline void seal(std::vector<std::uint8_t>& bytes)
+{
+  const std::uint64_t sum = checksum(bytes);
   for (int i = 0; i < 8; ++i)
     bytes.push_back(static_cast<std::uint8_t>(sum >> (8 * i)));
 }

@@ -15,8 +15,9 @@ struct Submersion
 /**
  * Submerged share of the piece of tether that one integration point stands for.
  *
- * Model: (M8) of doc/model.md. The piece spans the heights z +- extent/2; the share below the surface is linear in
- * between. So a tether that pierces the surface feels the place of the waterline, not the place of the points.
+ * Model: (M8) of doc/model.md. The piece spans the heights z +- extent/2; the share below the surface falls from 1
+ * to 0 in between, 1/2 - 3/4 x + 1/4 x^3 with x = 2 z / extent, without a kink at either end. So a tether that
+ * pierces the surface feels the place of the waterline, not the place of the points.
  *
  * @param z       height of the point above the water surface [m].
  * @param extent  vertical extent of the piece [m], > 0.

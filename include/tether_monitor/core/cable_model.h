@@ -121,6 +121,7 @@ class CableModel
   ElementField field_;  // the same for the kernels
   const kernel::Kernel* kernel_ = &kernel::best();
   std::vector<double> arc_length_;
+  std::vector<double> built_arc_length_;
   std::vector<double> growing_share_;  // of each growing element in the piece that grows
   std::optional<double> bend_limit_;
   PayoutMotion payout_;

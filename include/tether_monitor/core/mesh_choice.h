@@ -14,7 +14,7 @@ struct MeshChoice
   int elements = 0;
   double step = 0.0;     ///< [s], at most that of the options.
   double error = 0.0;    ///< expected RMS error of the end tensions over their mean in the trial motion [-].
-  bool reached = false;  ///< false: MOST_ELEMENTS are not enough, or no steady state was found.
+  bool reached = false;  ///< false: MOST_ELEMENTS are not enough, or the trials told nothing (error infinite).
 
   template <class Archive>
   void archive(Archive& a)
@@ -32,11 +32,16 @@ constexpr int FEWEST_ELEMENTS = 8, MOST_ELEMENTS = 200;  ///< that chooseMesh() 
  * circles (up to 5 m, 60 s), and both gather way ahead and astern (1.5 m/s): less where the tether has no slack
  * for it. The same motion with twice the elements, and with half the step, tells the error; (M29) of doc/model.md.
  *
- * @param make      the model with a given number of elements; may throw std::invalid_argument for too few.
+ * For set-up: takes memory, and up to a second or two of computing, which a budget of iterations bounds.
+ *
+ * @param make      the model with a given number of elements; throws std::invalid_argument for too few.
  * @param ends      where the tether is now.
  * @param accuracy  [-], > 0.
+ * @param options   its step is the longest that is chosen.
+ * @param fallback  number of elements, possible, that is returned with the given step if the trials tell nothing.
+ * @return          never a number that `make` refuses.
  */
 MeshChoice chooseMesh(const std::function<CableModel(int)>& make, const SteadyEnds& ends, double accuracy,
-                      const StepperOptions& options);
+                      const StepperOptions& options, int fallback = 50);
 
 }  // namespace tether_monitor::core

@@ -40,6 +40,11 @@ struct SolveReport
   int iterations = 0;     ///< Newton iterations, those of rejected steps included.
   double residual = 0.0;  ///< largest force residual at the end [N].
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(status, steps, rejected, iterations, residual);
+  }
   /// Adds what another solve has cost.
   void addCost(const SolveReport& other)
   {

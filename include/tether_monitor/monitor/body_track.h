@@ -72,6 +72,8 @@ class BodyTrack
   double lastPoseTime() const;
   /// State at time t [s]; hasPose() must hold.
   BodyState at(double t) const;
+  /// False for what no measurements can have made: for states that come from outside.
+  bool isSound() const;
 
   template <class Archive>
   void archive(Archive& a)

@@ -12,11 +12,12 @@ namespace tether_monitor::monitor
 /// problems.
 core::CableModel modelOf(const Config& config);
 
-/// Whether a configuration can be meshed with another deployed length [m]. What is fixed to the tether keeps its
-/// distance from the vehicle end; what has come aboard is left out.
-bool isPossibleLength(const Config& config, double length);
+/// Whether a configuration can be meshed with another deployed length [m] in so many elements. What is fixed to
+/// the tether keeps its distance from the vehicle end; what has come aboard is left out.
+bool isPossibleLength(const Config& config, double length, int elements);
 
 /// The model of a configuration at another deployed length [m], isPossibleLength() must hold, in so many elements.
+/// @throws std::invalid_argument if it does not.
 core::CableModel modelAt(const Config& config, double length, int elements);
 
 /// What changes in a model while it is in use: pay-out, strumming, current, obstacles, depth, clock.
@@ -38,6 +39,7 @@ struct ModelMemory
   }
 };
 
+/// What a model has come to since it was made.
 ModelMemory memoryOf(const core::CableModel& model);
 
 /// The model of a configuration as `memory` remembers it; nothing if that cannot be.

@@ -31,6 +31,8 @@ class PayoutTrack
   double age(double t) const;
   /// Length and rate at time t [s]; hasReport() must hold. Calls in order of t, else clear() first.
   core::PayoutMotion follow(double t);
+  /// See BodyTrack::isSound().
+  bool isSound() const;
 
   template <class Archive>
   void archive(Archive& a)

@@ -144,13 +144,16 @@ class TetherEstimator
   {
     a(state_, origin_, settled_, announced_settling_, started_, alarms_changed_, payout_rate_, strumming_at_,
       obstacles_at_, told_depth_, strumming_, retry_settling_at_, rejected_at_, thrust_, thrust_at_, vessel_,
-      vehicle_, vessel_follower_, vehicle_follower_, payout_, alarms_, estimate_, count_);
+      vehicle_, vessel_follower_, vehicle_follower_, payout_, alarms_, estimate_, count_, last_solve_,
+      mesh_length_, mesh_chord_, mesh_velocity_);
   }
   void rebuild(core::CableModel model, const core::MeshChoice& mesh);
   const TetherEstimate& refuse(double t, Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
   void chooseMesh(const core::SteadyEnds& ends);
+  bool needsMesh(const core::SteadyEnds& ends) const;
+  bool isPossible(double length) const;
   double thrustAge(double t) const;
   void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
@@ -184,6 +187,9 @@ class TetherEstimator
   double winch_capacity_;             // [m]; infinite without a winch
   core::Strumming strumming_;
   core::MeshChoice mesh_;
+  // What it was chosen for.
+  double mesh_length_ = TetherEstimate::NONE, mesh_chord_ = TetherEstimate::NONE;
+  core::Vector3 mesh_velocity_ = core::Vector3::Zero();
   double retry_settling_at_ = 0.0;
   double rejected_at_;
   TetherEstimate estimate_;

@@ -46,11 +46,11 @@ inline constexpr double BENDING_SHARE[4][4] = {
     {12.0, 6.0, -12.0, 6.0}, {6.0, 4.0, -6.0, 2.0}, {-12.0, -6.0, 12.0, -6.0}, {6.0, 2.0, -6.0, 4.0}};
 
 // Place of entry (r, c) of a symmetric 3 x 3 matrix, and of pair (i, j) of a symmetric 4 x 4 one.
-constexpr int entryOf(int r, int c)
+static constexpr int entryOf(int r, int c)
 {
   return r <= c ? 3 * r - r * (r + 1) / 2 + c : entryOf(c, r);
 }
-constexpr int pairOf(int i, int j)
+static constexpr int pairOf(int i, int j)
 {
   return i <= j ? 4 * i - i * (i + 1) / 2 + j : pairOf(j, i);
 }

@@ -1,0 +1,71 @@
+#include "tether_monitor/monitor/fingerprint.h"
+
+#include "tether_monitor/core/archive.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+using core::ArchiveWriter;
+
+void add(core::CableProperties p, ArchiveWriter& to)
+{
+  to(p.length, p.diameter, p.mass_per_length, p.axial_stiffness, p.bending_stiffness, p.axial_damping,
+     p.drag_normal, p.drag_tangential, p.added_mass_normal, p.hydrostatic_compression, p.permanent_elongation,
+     p.working_load, p.breaking_load, p.load_area, p.min_bend_radius);
+}
+
+void add(core::CableFittings fittings, ArchiveWriter& to)
+{
+  for (core::CableSection& section : fittings.sections)
+  {
+    to(section.from, section.to);
+    add(section.properties, to);
+  }
+  for (core::Attachment& a : fittings.attachments)
+    to(a.s, a.mass, a.volume, a.drag_area);
+}
+
+void add(core::Environment sea, ArchiveWriter& to)
+{
+  core::WaveProperties& waves = sea.waves;
+  to(sea.water_density, sea.gravity, waves.amplitude, waves.length, waves.direction, waves.phase, sea.wind);
+  bool has_seabed = sea.seabed.has_value();
+  to(has_seabed);
+  if (has_seabed)
+    to(sea.seabed->normal_stiffness, sea.seabed->damping, sea.seabed->friction);
+}
+
+void add(core::RigidBody body, ArchiveWriter& to)
+{
+  to(body.mass, body.volume, body.inertia, body.drag_area, body.added_mass, body.added_inertia,
+     body.rotational_drag, body.center_of_buoyancy, body.force);
+}
+
+void add(AlarmConfig alarm, ArchiveWriter& to)
+{
+  to(alarm.warning, alarm.limit);
+}
+}  // namespace
+
+std::uint64_t fingerprint(const Config& config)
+{
+  Config c = config;
+  ArchiveWriter to;
+  add(c.tether, to);
+  add(c.fittings, to);
+  add(c.environment, to);
+  if (c.vehicle_mode == VehicleMode::FREE)
+    add(c.vehicle_body, to);
+  to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.accuracy);
+  if (!c.accuracy)
+    to(c.elements);
+  to(c.solver.step, c.solver.spectral_radius, c.solver.max_halvings, c.solver.max_iterations, c.solver.scheme,
+     c.solver.corrections, c.solver.courant, c.solver.newton.relative_tolerance, c.solver.newton.max_iterations);
+  for (AlarmConfig* alarm :
+       {&c.alarms.over_tension, &c.alarms.breaking, &c.alarms.slack, &c.alarms.bend_radius, &c.alarms.stale_input})
+    add(*alarm, to);
+  return core::checksum(to.bytes());
+}
+
+}  // namespace tether_monitor::monitor
