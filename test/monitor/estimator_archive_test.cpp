@@ -80,6 +80,7 @@ TEST(ChosenMesh, HasRoomForWhatIsFixedToTheTether)
 {
   Config config = testConfig();
   config.accuracy = 0.1;
+  config.elements = 60;
   for (int i = 0; i < 20; ++i)
     config.fittings.attachments.push_back({"clamp", 0.5 + 0.5 * i, 0.5, 1e-4, 0.0});
   Feeder feeder(config);
@@ -90,9 +91,9 @@ TEST(ChosenMesh, HasRoomForWhatIsFixedToTheTether)
 
 TEST(ChosenMesh, StaysAsGivenWhereTheTrialsTellNothing)
 {
-  const core::MeshChoice mesh = core::chooseMesh(
-      [](int) -> core::CableModel { throw std::invalid_argument("never"); },
-      {{0, 0, 0}, {60, 0, -70}, {0, 0, 0}}, 1e-3, core::StepperOptions(), 50);
+  const core::MeshChoice mesh =
+      core::chooseMesh([](int) -> core::CableModel { throw std::invalid_argument("never"); },
+                       {{0, 0, 0}, {60, 0, -70}, {0, 0, 0}}, 1e-3, core::StepperOptions(), 50);
   EXPECT_EQ(mesh.elements, 50);
   EXPECT_EQ(mesh.step, core::StepperOptions().step);
   EXPECT_FALSE(mesh.reached);
