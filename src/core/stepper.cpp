@@ -9,6 +9,7 @@ namespace tether_monitor::core
 {
 namespace
 {
+constexpr double MOST_STEPS = 1e6;  // full steps that one advance() takes on
 constexpr int EASY_ITERATIONS = 6;  // a step that needed no more lets the next one grow
 
 const StepperOptions& checked(const StepperOptions& options)
@@ -62,7 +63,13 @@ SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_e
   const double smallest = std::ldexp(limit, -options_.max_halvings);
   const double budget = options_.max_iterations * full_steps;
 
-  double h = state.step > 0.0 ? std::min(state.step * (1.0 + 1e-9), largest) : largest;
+  if (!(full_steps <= MOST_STEPS))
+  {
+    total.status = SolveStatus::BUDGET_SPENT;
+    return total;
+  }
+  double h =
+      state.step > 0.0 ? std::clamp(state.step * (1.0 + 1e-9), std::min(smallest, largest), largest) : largest;
   while (state.time < t_end)
   {
     const double left = t_end - state.time;
@@ -89,7 +96,7 @@ SolveReport Stepper::advance(CableModel& model, const EndPaths& ends, double t_e
         return total;
       }
     }
-    if (total.iterations > budget && state.time < t_end)
+    if (total.iterations + total.steps > budget && state.time < t_end)
     {
       total.status = SolveStatus::BUDGET_SPENT;
       return total;

@@ -93,7 +93,7 @@ bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
   first(copy);
   const bool is_sound = first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isSound() &&
                         copy.vehicle_.isSound() && copy.payout_.isSound() &&
-                        (!copy.settled_ || fits(copy.state_, *model));
+                        (!copy.settled_ || (fits(copy.state_, *model) && copy.state_.time == copy.estimate_.time));
   if (!is_sound || (copy.told_depth_ && !copy.setDepth(*copy.told_depth_)))
     return false;
   if (copy.told_depth_)

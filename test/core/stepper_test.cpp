@@ -87,4 +87,19 @@ TEST_F(StepperTest, SameInputSameBytes)
     EXPECT_EQ(state.q[i], twin.q[i]);
 }
 
+TEST(Stepper, DoesNotSetOutForTheEndOfTime)
+{
+  CableModel model(towCable(), 4, Environment());
+  Statics statics(model.nodes());
+  NodeField shape;
+  ASSERT_TRUE(statics.solve(model, {{0, 0, -5}, {-330, 0, -155}, {0, 0, 0}}, shape).converged());
+  CableState state(-1e12, shape, Vector3::Zero());
+  EndPaths ends;
+  ends.vessel = EndPath::uniform(0.0, {{0, 0, -5}, Vector3::Zero()});
+  ends.vehicle = EndPath::uniform(0.0, {{-330, 0, -155}, Vector3::Zero()});
+  Stepper stepper(model, StepperOptions());
+  EXPECT_EQ(stepper.advance(model, ends, 0.0, state).status, SolveStatus::BUDGET_SPENT);
+  EXPECT_EQ(state.time, -1e12);
+}
+
 }  // namespace tether_monitor::core

@@ -51,7 +51,8 @@ class Stepper
    * @param ends   paths of the held ends, valid from state.time to t_end.
    * @param t_end  [s]; not before state.time (equal: nothing happens).
    * @param state  in and out; on failure the last state that converged, at its own time.
-   * @return       sums over the call; BUDGET_SPENT or the failure of the smallest step if t_end was not reached.
+   * @return       sums over the call; BUDGET_SPENT or the failure of the smallest step if t_end was not reached;
+   *               BUDGET_SPENT at once if t_end is more than a million full steps away.
    */
   SolveReport advance(CableModel& model, const EndPaths& ends, double t_end, CableState& state);
 
