@@ -3,7 +3,7 @@ add_library(tether_monitor_fuzz STATIC fuzz/random_tether.cpp fuzz/checks.cpp)
 target_include_directories(tether_monitor_fuzz PUBLIC fuzz)
 target_link_libraries(tether_monitor_fuzz PUBLIC tether_monitor_monitor PRIVATE tether_monitor_options)
 
-add_library(tether_monitor_bench STATIC bench/cases.cpp)
+add_library(tether_monitor_bench STATIC bench/cases.cpp bench/navigation.cpp)
 target_include_directories(tether_monitor_bench PUBLIC bench)
 target_link_libraries(tether_monitor_bench PUBLIC tether_monitor_fuzz PRIVATE tether_monitor_options)
 

@@ -95,7 +95,11 @@ void AbarbanelZwas::assemble(const CableModel& model, const EndPaths& ends, bool
   if (model.bodies().vessel)
     couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
   if (model.bodies().vehicle)
-    couple(*model.bodies().vehicle, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  {
+    RigidBody body = *model.bodies().vehicle;
+    body.force += ends.vehicle_force;
+    couple(body, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  }
 
   const HeldEnds held = heldEnds(model);
   if (held.vessel)

@@ -111,7 +111,11 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const EndPaths&
   if (model.bodies().vessel)
     couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
   if (model.bodies().vehicle)
-    couple(*model.bodies().vehicle, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  {
+    RigidBody body = *model.bodies().vehicle;
+    body.force += ends.vehicle_force;
+    couple(body, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  }
   for (const int k : pushed_)
   {
     const double mass = model.environment().obstacles[k].mass;

@@ -258,6 +258,19 @@ Vector3 steadyForce(const RigidBody& body, const Sea& sea, const Vector3& attach
   return -bodyResponse(body, sea, 0.0, node, Rotation(), Wrench(), TangentWeights{0.0, 0.0, 0.0}).force;
 }
 
+Vector3 bodyDrag(const RigidBody& body, const Sea& sea, double t, const AttachmentMotion& node,
+                 const Rotation& rotation)
+{
+  const Matrix3 R = rotation.orientation.toRotationMatrix();
+  const Vector3 centre = node.position - R * body.attachment;
+  const Water water = sea.waterAt(centre, t);
+  const Lift lift =
+      body.hull ? liftOfHull(*body.hull, sea, t, centre, R) : liftOfVolume(body, sea, water.surface, centre, R);
+  const Vector3 u = R.transpose() * (node.velocity - water.velocity) - rotation.velocity.cross(body.attachment);
+  Matrix3 slope;
+  return -(R * quadraticDrag(0.5 * sea.density() * lift.share * body.drag_area, u, slope));
+}
+
 Vector3 centreOfMass(const RigidBody& body, const Vector3& attachment, const Rotation& rotation)
 {
   return attachment - rotation.orientation * body.attachment;

@@ -111,6 +111,9 @@ void invalidate(Reason reason, TetherEstimate& e)
   e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
   e.seabed_contact_length = e.touchdown_s = e.tightest_bend = e.tightest_bend_s = NONE;
   e.has_vehicle = false;
+  e.vessel_tension_stddev = e.vehicle_tension_stddev = e.vehicle_position_stddev = NONE;
+  e.vehicle_velocity_stddev = e.disturbance_stddev = NONE;
+  e.disturbance.setConstant(NONE);
   for (core::ContactSummary::Touch& touch : e.contact.obstacles)
     touch = core::ContactSummary::Touch();
 }

@@ -57,6 +57,12 @@ const char* describe(Rejection rejection)
       return "the orientation is not a unit quaternion";
     case Rejection::OUT_OF_ORDER:
       return "the stamp is not later than the one before";
+    case Rejection::REPEATED:
+      return "there is a measurement of that stamp already";
+    case Rejection::TOO_LATE:
+      return "it is older than what can still be put in its place (vehicle.latency tells how late they are)";
+    case Rejection::STUCK:
+      return "the position repeats to the last digit: its source has stopped";
   }
   return "unknown";
 }

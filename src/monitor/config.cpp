@@ -30,6 +30,24 @@ std::vector<std::string> problems(const std::string& name, const AlarmConfig& al
   }
   return check.problems();
 }
+
+std::vector<std::string> problems(const NavigationConfig& n)
+{
+  core::BoundsCheck check("vehicle.");
+  check.positive("position_stddev", n.position_stddev, "m");
+  check.positive("velocity_stddev", n.velocity_stddev, "m/s");
+  check.within("latency", n.latency, 0.0, 30.0, "s");
+  if (n.force_stddev)
+    check.positive("force_stddev", *n.force_stddev, "N");
+  check.positive("drag_stddev", n.drag_stddev, "[-]");
+  core::BoundsCheck band("monitor.");
+  band.positive("degraded_stddev", n.degraded_stddev, "[-]");
+  band.require(std::isfinite(n.invalid_stddev) && n.invalid_stddev >= n.degraded_stddev, "invalid_stddev",
+               n.invalid_stddev, ">= degraded_stddev");
+  std::vector<std::string> all = check.problems();
+  add(band.problems(), all);
+  return all;
+}
 }  // namespace
 
 std::vector<std::string> problems(const Config& c)
@@ -39,8 +57,16 @@ std::vector<std::string> problems(const Config& c)
   add(core::problems(c.fittings, c.tether.length), all);
   add(core::elementCountProblems(c.elements, c.tether.length, c.fittings), all);
   add(core::problems(c.solver), all);
-  if (c.vehicle_mode == VehicleMode::FREE)
+  if (c.vehicle_mode != VehicleMode::TRACKED)
     add(core::problems(c.vehicle_body), all);
+  if (c.vehicle_mode == VehicleMode::OBSERVED)
+    add(problems(c.navigation), all);
+  core::BoundsCheck vessel("vessel.");
+  if (c.vessel.position_stddev)
+    vessel.positive("position_stddev", *c.vessel.position_stddev, "m");
+  if (c.vessel.velocity_stddev)
+    vessel.positive("velocity_stddev", *c.vessel.velocity_stddev, "m/s");
+  add(vessel.problems(), all);
 
   if (c.winch)
     add(core::problems(*c.winch, c.tether.diameter, c.tether.length, c.tether.min_bend_radius.value_or(0.0)), all);

@@ -30,7 +30,7 @@ core::CableFittings shifted(double by, core::CableFittings fittings)
 core::CableModel modelOf(const Config& config)
 {
   core::CableModel model(config.tether, config.elements, config.environment, config.fittings);
-  if (config.vehicle_mode == VehicleMode::FREE)
+  if (config.vehicle_mode != VehicleMode::TRACKED)
   {
     core::RigidBody body = config.vehicle_body;
     body.attachment = config.vehicle.attachment;

@@ -42,6 +42,12 @@ void add(core::RigidBody body, ArchiveWriter& to)
      body.rotational_drag, body.center_of_buoyancy, body.force);
 }
 
+void add(NavigationConfig n, ArchiveWriter& to)
+{
+  to(n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
+     n.invalid_stddev);
+}
+
 void add(AlarmConfig alarm, ArchiveWriter& to)
 {
   to(alarm.warning, alarm.limit);
@@ -55,8 +61,10 @@ std::uint64_t fingerprint(const Config& config)
   add(c.tether, to);
   add(c.fittings, to);
   add(c.environment, to);
-  if (c.vehicle_mode == VehicleMode::FREE)
+  if (c.vehicle_mode != VehicleMode::TRACKED)
     add(c.vehicle_body, to);
+  if (c.vehicle_mode == VehicleMode::OBSERVED)
+    add(c.navigation, to);
   to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.accuracy);
   if (!c.accuracy)
     to(c.elements);

@@ -42,6 +42,10 @@ const char* describe(Reason reason)
       return "MESH_COARSE";
     case Reason::CLOCK_JUMP:
       return "CLOCK_JUMP";
+    case Reason::DISAGREEMENT:
+      return "DISAGREEMENT";
+    case Reason::UNCERTAIN:
+      return "UNCERTAIN";
   }
   return "UNKNOWN";
 }

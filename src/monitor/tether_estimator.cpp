@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "tether_monitor/core/bounds.h"
-#include "tether_monitor/core/settling.h"
 #include "tether_monitor/monitor/assessment.h"
 #include "tether_monitor/monitor/deployed_model.h"
 
@@ -13,10 +12,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double SETTLING_RETRY = 1.0;  // [s] between attempts to find a steady state
 constexpr double ABSURD = 10.0;         // breaking loads: no tether carries that, something told is wrong
-constexpr double FASTEST_WINCH = 4.5;   // [m/s]; faster is no pay-out but a leap of the report
-constexpr int STRUMMING_PASSES = 4;
 constexpr double STRUMMING_PERIOD = 1.0;  // [s] of model time between looks at strumming
 
 const Config& checked(const Config& config)
@@ -39,6 +35,7 @@ TetherEstimator::TetherEstimator(const Config& config)
     alarms_(config),
     strumming_at_(-std::numeric_limits<double>::infinity()),
     obstacles_at_(std::numeric_limits<double>::quiet_NaN()),
+    observer_(config_, model_.nodes()),
     winch_capacity_(config.winch ? core::WinchDrum(*config.winch, config.tether.diameter).capacity()
                                  : std::numeric_limits<double>::infinity()),
     rejected_at_(-std::numeric_limits<double>::infinity())
@@ -80,26 +77,7 @@ bool TetherEstimator::isPossible(double length) const
 bool TetherEstimator::addPayout(double t, double length, double rate)
 {
   const bool is_possible = (model_.canPayTo(length) || isPossible(length)) && length <= winch_capacity_;
-  return is_possible && !(std::abs(rate) > FASTEST_WINCH) && payout_.add(t, length, rate);
-}
-
-// Another deployed length for a tether that is not in motion.
-bool TetherEstimator::setLength(double length)
-{
-  if (model_.canPayTo(length))
-  {
-    model_.setPayout({length, 0.0, 0.0});
-    return true;
-  }
-  if (!isPossible(length))
-    return false;
-  core::MeshChoice mesh = mesh_;
-  while (!isPossibleLength(config_, length, mesh.elements))
-    ++mesh.elements;
-  core::CableModel model = modelAt(config_, length, mesh.elements);
-  model.sea() = model_.sea();
-  rebuild(std::move(model), mesh);
-  return true;
+  return is_possible && !(std::abs(rate) > PayoutTrack::FASTEST) && payout_.add(t, length, rate);
 }
 
 void TetherEstimator::reset()
@@ -108,6 +86,8 @@ void TetherEstimator::reset()
   vehicle_.clear();
   vessel_follower_.reset();
   vehicle_follower_.reset();
+  vessel_filter_.clear();
+  observer_.clear();
   payout_.clear();
   setThrust(TetherEstimate::NONE, core::Wrench());
   invalidate(Reason::NO_INPUT, estimate_);
@@ -126,13 +106,18 @@ core::EndPoint TetherEstimator::targetOf(const BodyTrack& track, const BodyConfi
 EndTargets TetherEstimator::targetsAt(double t)
 {
   EndTargets targets;
-  targets.vessel = targetOf(vessel_, config_.vessel, t, vessel_follower_);
-  targets.vessel_age = vessel_.age(t);
-  if (isVehicleFree())
+  if (isVehicleObserved())
   {
-    targets.vehicle_age = thrustAge(t);
+    aimAtObserved(t, targets);
   }
   else
+  {
+    targets.vessel = targetOf(vessel_, config_.vessel, t, vessel_follower_);
+    targets.vessel_age = vessel_.age(t);
+  }
+  if (isVehicleFree())
+    targets.vehicle_age = thrustAge(t);
+  if (!isVehicleSimulated())
   {
     targets.vehicle = targetOf(vehicle_, config_.vehicle, t, vehicle_follower_);
     targets.vehicle_age = vehicle_.age(t);
@@ -156,8 +141,8 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 
 void TetherEstimator::lookAtAges(double t)
 {
-  estimate_.vessel_age = vessel_.age(t);
-  estimate_.vehicle_age = isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
+  estimate_.vessel_age = isVehicleObserved() ? vessel_filter_.age(t) : vessel_.age(t);
+  estimate_.vehicle_age = isVehicleObserved() ? observer_.age(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
   estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
@@ -182,13 +167,13 @@ const TetherEstimate& TetherEstimator::tick(double t)
     return refuse(t, Reason::NO_INPUT);
   if (estimate_.vessel_age > config_.invalid_timeout)
     return refuse(t, Reason::VESSEL_STALE);
-  if (estimate_.vehicle_age > config_.invalid_timeout)
+  if (estimate_.vehicle_age > config_.invalid_timeout && !isVehicleObserved())
     return refuse(t, Reason::VEHICLE_STALE);
   if (estimate_.payout_age > config_.invalid_timeout)
     return refuse(t, Reason::PAYOUT_STALE);
   if (settled_)
     return advance(t, targetsAt(t));
-  if (!announced_settling_)
+  if (!announced_settling_ || !canBegin(t))
   {
     announced_settling_ = true;
     retry_settling_at_ = t;
@@ -197,95 +182,6 @@ const TetherEstimate& TetherEstimator::tick(double t)
   if (t < retry_settling_at_)
     return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
   return begin(t, targetsAt(t));
-}
-
-void TetherEstimator::chooseMesh(const core::SteadyEnds& ends)
-{
-  const double length = model_.length();
-  const auto make = [&](int elements)
-  {
-    core::CableModel model = modelAt(config_, length, elements);
-    model.sea() = model_.sea();
-    return model;
-  };
-  const core::MeshChoice mesh = core::chooseMesh(make, ends, *config_.accuracy, config_.solver, model_.elements());
-  rebuild(mesh.elements == model_.elements() ? model_ : make(mesh.elements), mesh);
-}
-
-// A mesh serves as long as the tether is about as long, as taut and as fast.
-bool TetherEstimator::needsMesh(const core::SteadyEnds& ends) const
-{
-  constexpr double LENGTH_SHARE = 0.1, CHORD_SHARE = 0.02, SPEED = 0.5;  // of the length, of the length, [m/s]
-  const double length = model_.length(), chord = (ends.vessel - ends.vehicle).norm();
-  return config_.accuracy && !(std::abs(length - mesh_length_) < LENGTH_SHARE * length &&
-                               std::abs(chord - mesh_chord_) < CHORD_SHARE * length &&
-                               (ends.velocity - mesh_velocity_).norm() < SPEED);
-}
-
-void TetherEstimator::rebuild(core::CableModel model, const core::MeshChoice& mesh)
-{
-  core::StepperOptions solver = config_.solver;
-  solver.step = mesh.step;
-  core::Stepper stepper(model, solver);
-  mesh_ = mesh;
-  model_ = std::move(model);
-  stepper_ = std::move(stepper);
-  statics_ = core::Statics(model_.nodes());
-  estimate_.stations = core::StationField(mesh.elements);
-}
-
-bool TetherEstimator::settle(double t, const EndTargets& ends)
-{
-  const core::Vector3 old_origin = origin_;
-  origin_ = {ends.vessel.position.x(), ends.vessel.position.y(), 0.0};
-  const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_,
-                                ends.vessel.velocity};
-  moveObstacles(t, old_origin);
-  model_.sea().setOrigin(origin_);
-  settled_ = false;
-  retry_settling_at_ = t + SETTLING_RETRY;
-  if (ends.payout && !setLength(ends.payout->length))
-    return false;
-  model_.setPayout({model_.length(), 0.0, 0.0});
-  core::NodeField shape;
-  last_solve_ = core::findSteadyState(statics_, model_, steady, shape);
-  if (last_solve_.converged() && needsMesh(steady))
-  {
-    const core::CableModel before = model_;
-    const core::MeshChoice mesh_before = mesh_;
-    mesh_length_ = model_.length();
-    mesh_chord_ = (steady.vessel - steady.vehicle).norm();
-    mesh_velocity_ = steady.velocity;
-    chooseMesh(steady);
-    core::NodeField finer;
-    const core::SolveReport report = core::findSteadyState(statics_, model_, steady, finer);
-    if (report.converged())
-      shape = finer;
-    else
-      rebuild(before, mesh_before);
-  }
-  if (!last_solve_.converged())
-    return false;
-  state_ = core::CableState(t, shape, ends.vessel.velocity);
-  if (config_.drag_amplification > 1.0)
-  {
-    // The tether strums where it flows; that changes its shape, and so the flow.
-    for (int pass = 0; pass < STRUMMING_PASSES && last_solve_.converged(); ++pass)
-    {
-      strumming_ = core::findStrumming(model_, state_, config_.drag_amplification);
-      last_solve_ = statics_.solveFrom(model_, steady, state_.q);
-    }
-    if (!last_solve_.converged())
-      return false;
-  }
-  core::beginContact(model_, state_);
-  last_solve_ = core::settleContact(model_, state_);
-  if (!last_solve_.converged())
-    return false;
-  payout_rate_ = ends.payout && std::abs(ends.payout->rate) <= FASTEST_WINCH ? ends.payout->rate : 0.0;
-  strumming_at_ = -std::numeric_limits<double>::infinity();
-  settled_ = true;
-  return true;
 }
 
 const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
@@ -318,14 +214,14 @@ const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
     };
     core::EndPaths paths;
     paths.vessel = core::EndPath::between(state_.time, now(0), t, shifted(ends.vessel, origin_));
-    if (!isVehicleFree())
+    if (!isVehicleSimulated())
       paths.vehicle =
           core::EndPath::between(state_.time, now(state_.q.size() - 1), t, shifted(ends.vehicle, origin_));
     paths.vehicle_thrust = thrust_;
     if (ends.payout)
     {
       const double mean = (ends.payout->length - model_.length()) / (t - state_.time);
-      if (std::abs(mean) > FASTEST_WINCH || std::abs(ends.payout->rate) > FASTEST_WINCH ||
+      if (std::abs(mean) > PayoutTrack::FASTEST || std::abs(ends.payout->rate) > PayoutTrack::FASTEST ||
           !model_.canPayTo(ends.payout->length))
       {
         announced_settling_ = true;
@@ -335,7 +231,7 @@ const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
       }
       paths.payout = core::PayoutPath::between(state_.time, {model_.length(), payout_rate_, 0.0}, t, *ends.payout);
     }
-    last_solve_ = stepper_.advance(model_, paths, t, state_);
+    last_solve_ = step(paths, ends, t);
     payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
     count_.steps += last_solve_.steps;
     count_.rejected += last_solve_.rejected;
@@ -353,13 +249,15 @@ Reason TetherEstimator::degradation(const EndTargets& ends) const
 {
   if (ends.vessel_age > config_.pose_timeout)
     return Reason::VESSEL_STALE;
-  if (ends.vehicle_age > config_.pose_timeout)
+  if (ends.vehicle_age > config_.pose_timeout && !isVehicleObserved())
     return Reason::VEHICLE_STALE;
   if (ends.payout_age > config_.pose_timeout)
     return Reason::PAYOUT_STALE;
   const Reason range = modelRange(model_, estimate_);
   if (range != Reason::NONE)
     return range;
+  if (isVehicleObserved() && doubt(estimate_.time) != Reason::NONE)
+    return doubt(estimate_.time);
   const double since_rejection = estimate_.time - rejected_at_;
   return since_rejection >= 0.0 && since_rejection <= config_.pose_timeout ? Reason::REJECTED_INPUT : Reason::NONE;
 }
@@ -382,14 +280,19 @@ const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
   estimate_.payout_rate = ends.payout ? payout_rate_ : TetherEstimate::NONE;
   summarise(model_, estimate_);
   describeContact(model_, state_, origin_, estimate_);
-  if (isVehicleFree())
+  if (isVehicleSimulated())
     describeVehicle(model_, state_, origin_, estimate_);
+  if (isVehicleObserved())
+    observer_.describe(estimate_);
   lookAtStrumming();
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
     return refuse(state_.time, Reason::NOT_CONVERGED);
   if (estimate_.breaking_utilisation > ABSURD)
     return refuse(state_.time, Reason::OUT_OF_RANGE);
+  const Reason lack = lackOf(state_.time);
+  if (lack != Reason::NONE)
+    return withhold(lack);
   estimate_.reason = degradation(ends);
   estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;
   alarms_changed_ = alarms_.update(estimate_);

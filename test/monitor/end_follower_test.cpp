@@ -43,9 +43,9 @@ TEST(EndFollower, SlowPosesOfASmoothMotionMakeNoFalseTension)
     for (int i = 0; i < 1200; ++i)
     {
       const double t = 0.05 * i;
-      estimator.vessel().addPose(t, {0, 0, 1}, Eigen::Quaterniond::Identity());
+      estimator.addVessel(PoseMeasurement{t, {0, 0, 1}, Eigen::Quaterniond::Identity()});
       if (i % every == 0)
-        estimator.vehicle().addPose(t, {60 + 0.5 * std::sin(0.8 * t), 0, -70}, Eigen::Quaterniond::Identity());
+        estimator.addVehicle(PoseMeasurement{t, {60 + 0.5 * std::sin(0.8 * t), 0, -70}, Eigen::Quaterniond::Identity()});
       const TetherEstimate& e = estimator.tick(t);
       if (e.status != Status::INVALID && t > 5.0)
         peak = std::max(peak, e.max_tension);

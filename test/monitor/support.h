@@ -32,11 +32,11 @@ class Feeder
     {
       t += 0.05;
       if (vessel_alive)
-        estimator.vessel().addPose(t, vessel, Eigen::Quaterniond::Identity());
+        estimator.addVessel(PoseMeasurement{t, vessel, Eigen::Quaterniond::Identity()});
       if (vehicle_alive)
       {
         vehicle += 0.05 * vehicle_velocity;
-        estimator.vehicle().addPose(t, vehicle, Eigen::Quaterniond::Identity());
+        estimator.addVehicle(PoseMeasurement{t, vehicle, Eigen::Quaterniond::Identity()});
       }
       estimator.tick(t);
     }

@@ -36,6 +36,12 @@ class EndPath
   Vector3 acceleration(double t) const;
   EndPoint at(double t) const { return {position(t), velocity(t)}; }
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t0_, c_);
+  }
+
  private:
   double t0_ = 0.0;
   // Coefficients of 1, x, x^2, x^3 with x = t - t0.
@@ -49,7 +55,14 @@ struct EndPaths
   EndPath vehicle;
   Wrench vessel_thrust = {};                        ///< at the centre of mass, body axes; for an end with a body.
   Wrench vehicle_thrust = {};                       ///< likewise.
+  Vector3 vehicle_force = Vector3::Zero();          ///< more force on a simulated vehicle [N], world axes.
   std::optional<PayoutPath> payout = std::nullopt;  ///< none: the deployed length stays.
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(vessel, vehicle, vessel_thrust, vehicle_thrust, vehicle_force, payout);
+  }
 };
 
 }  // namespace tether_monitor::core

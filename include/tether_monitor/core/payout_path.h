@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace tether_monitor::core
 {
 /// Deployed length and its rates at one time.
@@ -30,10 +32,16 @@ class PayoutPath
   PayoutMotion at(double t) const;
   bool isConstant() const { return constant_; }
 
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(constant_, t0_, c_);
+  }
+
  private:
   bool constant_ = true;
   double t0_ = 0.0;
-  double c_[4] = {0.0, 0.0, 0.0, 0.0};
+  std::array<double, 4> c_{};
 };
 
 }  // namespace tether_monitor::core

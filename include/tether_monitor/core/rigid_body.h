@@ -77,6 +77,10 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
 /// world [N]. @param attachment  position of the tether's end [m]; waves must be calmed.
 Vector3 steadyForce(const RigidBody& body, const Sea& sea, const Vector3& attachment, const Vector3& velocity);
 
+/// Drag of the water on a body in motion [N], world axes.
+Vector3 bodyDrag(const RigidBody& body, const Sea& sea, double t, const AttachmentMotion& node,
+                 const Rotation& rotation);
+
 /// Centre of mass of a body [m] whose attachment is at `attachment`.
 Vector3 centreOfMass(const RigidBody& body, const Vector3& attachment, const Rotation& rotation);
 

@@ -32,7 +32,10 @@ enum class Rejection
   NONE,
   NOT_FINITE,      ///< a number is NaN or infinite.
   BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
-  OUT_OF_ORDER     ///< not later than the last one of its kind.
+  OUT_OF_ORDER,    ///< not later than the last one of its kind.
+  REPEATED,        ///< there is one of that time already.
+  TOO_LATE,        ///< older than what can still be put in its place.
+  STUCK            ///< the same to the last digit as those before: its source has stopped.
 };
 
 /// Words for a Rejection.

@@ -40,13 +40,28 @@ struct BodyConfig
 {
   core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
   std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
+  std::optional<double> position_stddev, velocity_stddev;  ///< of the vessel in mode observed, without covariance in
+                                                           ///< the message [m, m/s]; none: as the values scatter.
 };
 
 /// What drives the vehicle end.
 enum class VehicleMode
 {
   TRACKED,  ///< held on the measured motion.
-  FREE      ///< a simulated body.
+  FREE,     ///< a simulated body.
+  OBSERVED  ///< a simulated body that measurements correct.
+};
+
+/// How good the vehicle's navigation is, and how little is known of the forces on it; for OBSERVED.
+struct NavigationConfig
+{
+  double position_stddev = 0.5;         ///< without covariance in the message [m], > 0.
+  double velocity_stddev = 0.1;         ///< likewise [m/s], > 0.
+  double latency = 0.0;                 ///< how much older a measurement is than its stamp [s], 0..30.
+  std::optional<double> force_stddev;   ///< of the force that nobody tells [N], > 0; none: a tenth of the weight.
+  double drag_stddev = 0.3;             ///< of the relative error of the drag areas [-], > 0.
+  double degraded_stddev = 0.15;        ///< of a tension, over the working load: DEGRADED above [-], > 0.
+  double invalid_stddev = 0.5;          ///< likewise, INVALID above; >= degraded_stddev.
 };
 
 /// The whole parameter tree, checked and with its defaults in place.
@@ -63,7 +78,8 @@ struct Config
   BodyConfig vessel;
   BodyConfig vehicle;
   VehicleMode vehicle_mode = VehicleMode::TRACKED;
-  core::RigidBody vehicle_body;  ///< set in mode free; its attachment is that of `vehicle`.
+  core::RigidBody vehicle_body;  ///< set in modes free and observed; its attachment is that of `vehicle`.
+  NavigationConfig navigation;   ///< of the vehicle.
 
   core::StepperOptions solver;
   double rate = 20.0;            ///< [Hz], > 0.

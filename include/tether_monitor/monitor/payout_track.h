@@ -16,6 +16,8 @@ namespace tether_monitor::monitor
 class PayoutTrack
 {
  public:
+  static constexpr double FASTEST = 4.5;  ///< [m/s]; faster is no pay-out but a leap of the report.
+
   /**
    * Takes a report at time t [s].
    *

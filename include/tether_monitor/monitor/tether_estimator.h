@@ -19,6 +19,8 @@
 #include "tether_monitor/monitor/end_follower.h"
 #include "tether_monitor/monitor/payout_track.h"
 #include "tether_monitor/monitor/tether_estimate.h"
+#include "tether_monitor/monitor/vehicle_observer.h"
+#include "tether_monitor/monitor/vessel_filter.h"
 
 namespace tether_monitor::monitor
 {
@@ -31,6 +33,30 @@ struct EndTargets
   double vehicle_age = 0.0;                                 ///< [s]
   std::optional<core::PayoutMotion> payout = std::nullopt;  ///< deployed length and rate; none: the length stays.
   double payout_age = std::numeric_limits<double>::quiet_NaN();  ///< [s]
+  core::Vector3 vessel_stddev = core::Vector3::Zero();           ///< of the vessel end's position [m].
+  double vessel_error_rate = 1.0;                                ///< how fast its errors are [1/s].
+};
+
+/// A measured pose of a body's reference point.
+struct PoseMeasurement
+{
+  static constexpr double UNTOLD = std::numeric_limits<double>::quiet_NaN();
+
+  double t = 0.0;  ///< its stamp [s].
+  core::Vector3 position = core::Vector3::Zero();                       ///< world frame [m].
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< body to world, unit.
+  core::Vector3 position_stddev = core::Vector3::Constant(UNTOLD);      ///< of every axis [m]; NaN: as configured;
+                                                                        ///< VesselFilter::UNMEASURED or more: none.
+  double orientation_stddev = UNTOLD;  ///< [rad]; above 1: the orientation was not measured.
+};
+
+/// Measured rates of a body's reference point, world axes.
+struct RatesMeasurement
+{
+  double t = 0.0;                                                               ///< its stamp [s].
+  core::Vector3 velocity = core::Vector3::Zero();                               ///< [m/s]
+  core::Vector3 angular_velocity = core::Vector3::Zero();                       ///< [rad/s]
+  core::Vector3 velocity_stddev = core::Vector3::Constant(PoseMeasurement::UNTOLD);  ///< as position_stddev [m/s].
 };
 
 /// What stepping has cost since the start.
@@ -60,8 +86,13 @@ class TetherEstimator
   /// @throws std::invalid_argument listing every problem of `config`.
   explicit TetherEstimator(const Config& config);
 
-  BodyTrack& vessel() { return vessel_; }
-  BodyTrack& vehicle() { return vehicle_; }
+  /// Measurements of the vessel and of the vehicle. In mode observed they may come late and out of order.
+  Rejection addVessel(const PoseMeasurement& pose);
+  Rejection addVessel(const RatesMeasurement& rates);
+  Rejection addVehicle(const PoseMeasurement& pose);
+  Rejection addVehicle(const RatesMeasurement& rates);
+  /// Tells how the vessel's end moves before anything has measured its velocity; for mode observed.
+  void tellVesselMotion(double t, const BodyState& vessel);
   const BodyTrack& vesselTrack() const { return vessel_; }
   const BodyTrack& vehicleTrack() const { return vehicle_; }
   /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
@@ -99,6 +130,8 @@ class TetherEstimator
   /// Starts at time t [s] from the steady state between the ends that the tracks give; both tracks must have a
   /// pose.
   const TetherEstimate& beginFromTracks(double t) { return begin(t, targetsAt(t)); }
+  /// True if everything that beginFromTracks() needs has been measured.
+  bool canBegin(double t) const;
   /// Starts from the steady state between known ends, both moving at the vessel end's velocity, at time t [s].
   const TetherEstimate& begin(double t, const EndTargets& ends);
   /// Steps to time t [s], ends on the way to `ends`; begin() must have succeeded, else as begin().
@@ -128,6 +161,12 @@ class TetherEstimator
   /// Strumming at the last look, once a second of model time.
   const core::Strumming& strumming() const { return strumming_; }
   bool isVehicleFree() const { return config_.vehicle_mode == VehicleMode::FREE; }
+  bool isVehicleObserved() const { return config_.vehicle_mode == VehicleMode::OBSERVED; }
+  /// Free or observed.
+  bool isVehicleSimulated() const { return config_.vehicle_mode != VehicleMode::TRACKED; }
+  /// Of mode observed.
+  const VehicleObserver& observer() const { return observer_; }
+  const VesselFilter& vesselFilter() const { return vessel_filter_; }
   bool isSettled() const { return settled_; }
 
   /// Everything that changes while it works, as bytes: see core/archive.h. Inputs and estimate included.
@@ -145,10 +184,11 @@ class TetherEstimator
     a(state_, origin_, settled_, announced_settling_, started_, alarms_changed_, payout_rate_, strumming_at_,
       obstacles_at_, told_depth_, strumming_, retry_settling_at_, rejected_at_, thrust_, thrust_at_, vessel_,
       vehicle_, vessel_follower_, vehicle_follower_, payout_, alarms_, estimate_, count_, last_solve_,
-      mesh_length_, mesh_chord_, mesh_velocity_);
+      mesh_length_, mesh_chord_, mesh_velocity_, vessel_filter_, observer_);
   }
   void rebuild(core::CableModel model, const core::MeshChoice& mesh);
   const TetherEstimate& refuse(double t, Reason reason);
+  const TetherEstimate& withhold(Reason reason);
   const TetherEstimate& publish(const EndTargets& ends);
   bool settle(double t, const EndTargets& ends);
   void chooseMesh(const core::SteadyEnds& ends);
@@ -161,6 +201,11 @@ class TetherEstimator
   void lookAtStrumming();
   Reason degradation(const EndTargets& ends) const;
   EndTargets targetsAt(double t);
+  void aimAtObserved(double t, EndTargets& targets);
+  Reason lackOf(double t) const;
+  Reason doubt(double t) const;
+  core::SolveReport step(const core::EndPaths& paths, const EndTargets& ends, double t);
+  core::SolveReport findStart(const core::SteadyEnds& steady, core::NodeField& shape);
   core::EndPoint targetOf(const BodyTrack& track, const BodyConfig& body, double t, EndFollower& follower) const;
 
   Config config_;
@@ -169,6 +214,8 @@ class TetherEstimator
   core::Statics statics_;
   BodyTrack vessel_, vehicle_;
   EndFollower vessel_follower_, vehicle_follower_;
+  VesselFilter vessel_filter_;
+  VehicleObserver observer_;
   PayoutTrack payout_;
   core::Wrench thrust_;
   double thrust_at_ = TetherEstimate::NONE;

@@ -121,7 +121,7 @@ class Intake : public ::testing::Test
 TEST_F(Intake, TransformsAKnownFrame)
 {
   ASSERT_EQ(intake.take(BodyName::VESSEL, pose("site"), now), "");
-  EXPECT_LT((estimator.vessel().at(1.0).position - core::Vector3(10.0, 1.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((estimator.vesselTrack().at(1.0).position - core::Vector3(10.0, 1.0, 0.0)).norm(), 1e-12);
 }
 
 TEST_F(Intake, RefusesAnUnknownAnEmptyFrameAndTheFuture)
@@ -129,7 +129,7 @@ TEST_F(Intake, RefusesAnUnknownAnEmptyFrameAndTheFuture)
   EXPECT_NE(intake.take(BodyName::VESSEL, pose("nowhere"), now).find("nowhere"), std::string::npos);
   EXPECT_NE(intake.take(BodyName::VESSEL, pose(""), now).find("empty"), std::string::npos);
   EXPECT_NE(intake.take(BodyName::VESSEL, pose("map"), ros::Time(50.0)).find("future"), std::string::npos);
-  EXPECT_FALSE(estimator.vessel().hasPose());
+  EXPECT_FALSE(estimator.vesselTrack().hasPose());
 }
 
 TEST_F(Intake, TurnsATwistInBodyAxesIntoTheWorld)
@@ -143,7 +143,7 @@ TEST_F(Intake, TurnsATwistInBodyAxesIntoTheWorld)
   EXPECT_NE(intake.take(BodyName::VEHICLE, twist, now), "") << "no attitude yet";
   ASSERT_EQ(intake.take(BodyName::VEHICLE, p, now), "");
   ASSERT_EQ(intake.take(BodyName::VEHICLE, twist, now), "");
-  EXPECT_LT((estimator.vehicle().at(1.0).velocity - core::Vector3(0.0, 2.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((estimator.vehicleTrack().at(1.0).velocity - core::Vector3(0.0, 2.0, 0.0)).norm(), 1e-12);
 }
 
 TEST_F(Intake, OdometryCarriesBothInItsOwnFrames)
@@ -154,12 +154,12 @@ TEST_F(Intake, OdometryCarriesBothInItsOwnFrames)
   odom.twist.twist.linear.x = 1.0;
   odom.twist.twist.angular.z = 0.3;
   ASSERT_EQ(intake.take(BodyName::VESSEL, odom, now), "");
-  EXPECT_LT((estimator.vessel().at(1.0).velocity - core::Vector3(0.0, 1.0, 0.0)).norm(), 1e-12);
-  EXPECT_NEAR(estimator.vessel().at(1.0).angular_velocity.z(), 0.3, 1e-12);
+  EXPECT_LT((estimator.vesselTrack().at(1.0).velocity - core::Vector3(0.0, 1.0, 0.0)).norm(), 1e-12);
+  EXPECT_NEAR(estimator.vesselTrack().at(1.0).angular_velocity.z(), 0.3, 1e-12);
   odom.twist.twist.linear.x = NAN;
   odom.header.stamp += ros::Duration(0.1);
   EXPECT_NE(intake.take(BodyName::VESSEL, odom, now), "");
-  EXPECT_NEAR(estimator.vessel().age(1.1), 0.1, 1e-12) << "a refused odometry leaves no pose behind";
+  EXPECT_NEAR(estimator.vesselTrack().age(1.1), 0.1, 1e-12) << "a refused odometry leaves no pose behind";
 }
 
 TEST_F(Intake, ChecksPayoutAndCurrent)

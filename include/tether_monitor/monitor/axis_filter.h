@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tether_monitor::monitor
+{
+/**
+ * Kalman filter of one coordinate of a vessel in a seaway: (E10)-(E12) of doc/estimation.md.
+ *
+ * Seven states: the way of the vessel (place, velocity, a fading acceleration) and the motion in the waves on top,
+ * two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in the last
+ * minute. Plain data: copy it to save it.
+ */
+class AxisFilter
+{
+ public:
+  static constexpr int STATES = 7;
+  using Vector = Eigen::Matrix<double, STATES, 1>;
+  using Matrix = Eigen::Matrix<double, STATES, STATES>;
+
+  /// What is known at one time, with standard deviations.
+  struct Motion
+  {
+    double position = 0.0, velocity = 0.0;                                     ///< [m, m/s]
+    double position_stddev = 0.0, velocity_stddev = 0.0, acceleration_stddev = 0.0;  ///< [m, m/s, m/s^2]
+  };
+
+  void start(double t, double position, double position_stddev, double velocity, double velocity_stddev);
+  bool isStarted() const { return started_; }
+  double time() const { return time_; }
+  /// Goes on to time t [s]; not before time().
+  void predict(double t);
+  void correctPosition(double position, double stddev);
+  void correctVelocity(double velocity, double stddev);
+  /// Innovation of a position over its standard deviation [-].
+  double surprise(double position, double stddev) const;
+  /// At time t [s], not before time(); the filter stays where it is.
+  Motion at(double t) const;
+  /// Frequency [rad/s] and standard deviation [m] of the motion in the waves.
+  double waveRate() const { return rate_; }
+  double waveHeight() const { return height_; }
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, acceleration_square_);
+  }
+
+ private:
+  Eigen::Matrix<double, 1, STATES> accelerationRow() const;
+  Matrix transition(double dt) const;
+  Matrix noise(double dt) const;
+  void learn(double dt);
+  void correct(const Eigen::Matrix<double, 1, STATES>& H, double value, double stddev);
+
+  bool started_ = false;
+  double time_ = 0.0;
+  Vector mean_ = Vector::Zero();
+  Matrix covariance_ = Matrix::Identity();
+  double rate_ = 0.8, height_ = 0.3;
+  double velocity_mean_ = 0.0, velocity_square_ = 0.0, acceleration_square_ = 0.0;  // running
+};
+
+}  // namespace tether_monitor::monitor

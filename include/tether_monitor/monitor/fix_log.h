@@ -1,0 +1,70 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "tether_monitor/core/types.h"
+#include "tether_monitor/monitor/body_track.h"
+
+namespace tether_monitor::monitor
+{
+/// A measurement of the vehicle's centre of mass at its own time, world axes.
+struct VehicleFix
+{
+  enum class Kind
+  {
+    POSITION,  ///< [m]
+    VELOCITY   ///< [m/s]
+  };
+
+  double t = 0.0;  ///< when it was true [s].
+  Kind kind = Kind::POSITION;
+  core::Vector3 value = core::Vector3::Zero();
+  core::Vector3 stddev = core::Vector3::Ones();  ///< of every axis, > 0; infinite: not measured.
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t, kind, value, stddev);
+  }
+};
+
+/**
+ * The last measurements of the vehicle in order of their own time, however they came in: late, out of order or twice.
+ * Allocates only in the constructor.
+ */
+class FixLog
+{
+ public:
+  static constexpr std::size_t CAPACITY = 512;
+
+  FixLog() { fixes_.reserve(CAPACITY); }
+
+  /// Takes a fix that is not before `earliest` [s]. The oldest goes where there is no room.
+  Rejection add(const VehicleFix& fix, double earliest);
+  void clear();
+  /// Forgets what is before t [s].
+  void forgetBefore(double t);
+
+  const std::vector<VehicleFix>& fixes() const { return fixes_; }
+  /// Time of the earliest fix that came since the last call of markRead() [s]; infinite if none did.
+  double earliestUnread() const { return earliest_unread_; }
+  void markRead();
+  bool isSound() const;
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(fixes_, earliest_unread_, last_value_, repeats_);
+  }
+
+ private:
+  bool isStuck(const VehicleFix& fix);
+
+  std::vector<VehicleFix> fixes_;
+  double earliest_unread_ = std::numeric_limits<double>::infinity();
+  core::Vector3 last_value_ = core::Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  int repeats_ = 0;
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "tether_monitor/monitor/end_stiffness.h"
+
+namespace tether_monitor::monitor
+{
+/// What the filter takes the unknown on the vehicle to be.
+struct DisturbanceModel
+{
+  double force = 1000.0;      ///< standard deviation of the force that nobody tells [N], > 0.
+  double force_walk = 10.0;   ///< how it wanders [N/sqrt(s)], > 0.
+  double drag = 0.3;          ///< standard deviation of the relative error of the drag areas [-], > 0.
+  double drag_walk = 0.003;   ///< how that wanders [1/sqrt(s)], > 0.
+  double reach = 0.03;         ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
+  double first_reach = 0.2;    ///< the same at the start, when the tether's shape is not known yet [m], > 0.
+  double acceleration = 0.01;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
+};
+
+/**
+ * Error-state Kalman filter of a vehicle on a tether: (E1)-(E9) of doc/estimation.md.
+ *
+ * The simulated vehicle is the nominal motion; the filter knows how far the mean of its belief is from there (error)
+ * and how sure it is (covariance). Eleven states: position, velocity, disturbance force, relative error of
+ * the drag, error of the reach: the distance of the ends beyond what the model gives. The
+ * nominal motion is not corrected by leaps: pull() is a force that brings it to the mean, and the filter knows it.
+ * Plain data: copy it to save it.
+ */
+class VehicleFilter
+{
+ public:
+  static constexpr int STATES = 11;
+  using Vector = Eigen::Matrix<double, STATES, 1>;
+  using Matrix = Eigen::Matrix<double, STATES, STATES>;
+
+  /**
+   * Begins in balance.
+   *
+   * @param place            covariance of the position [m^2].
+   * @param velocity_stddev  [m/s]
+   * @param force            disturbance that is acting [N].
+   * @param drag             on the vehicle [N].
+   */
+  void start(const DisturbanceModel& model, const core::Matrix3& place, double velocity_stddev,
+             const core::Vector3& force, const core::Vector3& drag, const EndStiffness& stiffness);
+  /// The tether's part in the motion, from now on.
+  void setStiffness(const EndStiffness& stiffness);
+
+  /**
+   * Goes on by dt [s] under the pull that was in force.
+   *
+   * @param drag       drag on the nominal vehicle [N], world axes: what an error of the drag areas is a share of.
+   * @param unrest     factor on the wandering of the disturbance, >= 1.
+   */
+  void predict(double dt, const core::Vector3& drag, double unrest);
+
+  /// Squared Mahalanobis distance of a measured position, told as its distance from the nominal one [m].
+  double distance(const core::Vector3& offset, const core::Vector3& stddev) const;
+  void correctPosition(const core::Vector3& offset, const core::Vector3& stddev);
+  /// The same for a measured velocity.
+  double velocityDistance(const core::Vector3& offset, const core::Vector3& stddev) const;
+  void correctVelocity(const core::Vector3& offset, const core::Vector3& stddev);
+  /// Doubts the position by `stddev` more [m].
+  void doubtPosition(double stddev);
+
+  /// Force on the nominal vehicle [N], world axes: the disturbance and what brings it to the mean.
+  core::Vector3 force() const { return disturbance_ + drag_force_ + pull(); }
+  /// The part of it that nobody believes in.
+  core::Vector3 pull() const;
+
+  core::Vector3 positionError() const { return error_.segment<3>(0) + error_[10] * stiffness_.chord; }
+  core::Vector3 velocityError() const { return error_.segment<3>(3); }
+  /// Best estimate of the disturbance [N], world axes, the part of the drag included.
+  core::Vector3 disturbance() const { return disturbance_ + drag_force_ + error_.segment<3>(6) + drag_ * error_[9]; }
+  /// Best estimate of the relative error of the drag areas [-].
+  double dragError() const { return drag_share_ + error_[9]; }
+  const Matrix& covariance() const { return covariance_; }
+  core::Vector3 positionStddev() const;
+  /// Best estimate of the error of the reach [m].
+  double reachError() const { return error_[10]; }
+  core::Vector3 velocityStddev() const { return covariance_.diagonal().segment<3>(3).cwiseMax(0.0).cwiseSqrt(); }
+  core::Vector3 forceStddev() const;
+  /// Standard deviation of a tension [N], of the filter's own uncertainty.
+  double tensionStddev(const TensionSlope& slope) const;
+  const EndStiffness& stiffness() const { return stiffness_; }
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(model_.force, model_.force_walk, model_.drag, model_.drag_walk, model_.reach, model_.first_reach, model_.acceleration, stiffness_, mass_inverse_,
+      error_, covariance_, disturbance_, drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_,
+      waiting_, unrest_);
+  }
+
+ private:
+  Matrix rates() const;
+  void spread();
+  using Look = Eigen::Matrix<double, 3, STATES>;
+  Look positionLook() const;
+  Look velocityLook() const;
+  void correct(const Look& H, const core::Vector3& offset, const core::Vector3& stddev);
+  double mahalanobis(const Look& H, const core::Vector3& offset, const core::Vector3& stddev) const;
+
+  DisturbanceModel model_;
+  EndStiffness stiffness_;
+  core::Matrix3 mass_inverse_ = core::Matrix3::Identity();
+  Vector error_ = Vector::Zero();
+  Matrix covariance_ = Matrix::Identity();
+  core::Vector3 disturbance_ = core::Vector3::Zero();  // that the nominal vehicle feels [N]
+  core::Vector3 drag_force_ = core::Vector3::Zero();   // likewise, of the error of the drag
+  core::Vector3 drag_ = core::Vector3::Zero();         // on the nominal vehicle [N]
+  double drag_share_ = 0.0;                            // in the nominal motion [-]
+  Matrix mean_transition_ = Matrix::Identity();        // over mean_dt_
+  Eigen::Matrix<double, STATES, 3> mean_drive_ = Eigen::Matrix<double, STATES, 3>::Zero();
+  double mean_dt_ = 0.0;
+  double waiting_ = 0.0;  // [s] that the covariance is behind
+  double unrest_ = 1.0;
+};
+
+}  // namespace tether_monitor::monitor

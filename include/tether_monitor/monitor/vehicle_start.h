@@ -1,0 +1,33 @@
+#pragma once
+
+#include "tether_monitor/core/cable_model.h"
+#include "tether_monitor/core/statics.h"
+
+namespace tether_monitor::monitor
+{
+/// A steady state to begin with: where the vehicle is, and what force nobody told keeps it there.
+struct VehicleStart
+{
+  core::NodeField shape;
+  core::Vector3 force = core::Vector3::Zero();       ///< [N], world axes.
+  core::Matrix3 place = core::Matrix3::Identity();  ///< covariance of the position [m^2].
+};
+
+/**
+ * The likeliest steady state, given a measured place and a disturbance of unknown size: (E8) of doc/estimation.md.
+ *
+ * Minimises (distance from the measured place / its deviation)^2 + (force / its deviation)^2: over the force, from a
+ * vehicle that hangs where the tether lets it, and with a vehicle held at the measured place; the better of the two.
+ *
+ * @param model         with the simulated vehicle.
+ * @param ends          with the measured place of the tether's end at the vehicle, and the common velocity.
+ * @param place_stddev  of that place [m].
+ * @param thrust        that is told [N], world axes.
+ * @param force_stddev  of the force that is not [N].
+ * @param start         out: unchanged unless the report says converged.
+ */
+core::SolveReport findVehicleStart(core::Statics& statics, const core::CableModel& model,
+                                   const core::SteadyEnds& ends, double place_stddev, const core::Vector3& thrust,
+                                   double force_stddev, VehicleStart& start);
+
+}  // namespace tether_monitor::monitor

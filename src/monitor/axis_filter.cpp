@@ -1,0 +1,164 @@
+#include "tether_monitor/monitor/axis_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double MANOEUVRE = 0.02;       // standard deviation of the vessel's own acceleration [m/s^2]
+constexpr double MANOEUVRE_TIME = 20.0;  // [s] over which it fades
+constexpr double DAMPING = 0.05;          // of the oscillators [-]: how wide the spectrum of the waves is
+constexpr double MEMORY = 60.0;          // [s] of what the waves are like
+constexpr double SLOWEST = 0.25, FASTEST = 2.0;      // [rad/s]
+constexpr double LOWEST = 0.01, HIGHEST = 10.0;      // standard deviation of the wave motion [m]
+constexpr double LONGEST = 0.1;                      // [s] in one step
+
+using Row = Eigen::Matrix<double, 1, AxisFilter::STATES>;
+
+Row positionRow()
+{
+  Row h = Row::Zero();
+  h[0] = h[5] = 1.0;
+  return h;
+}
+Row velocityRow()
+{
+  Row h = Row::Zero();
+  h[1] = h[6] = 1.0;
+  return h;
+}
+}  // namespace
+
+Row AxisFilter::accelerationRow() const
+{
+  Row a = Row::Zero();
+  a[2] = 1.0;
+  a[3] = rate_ * rate_;
+  a[5] = -a[3];
+  a[6] = -2.0 * DAMPING * rate_;
+  return a;
+}
+
+void AxisFilter::start(double t, double position, double position_stddev, double velocity, double velocity_stddev)
+{
+  started_ = true;
+  time_ = t;
+  rate_ = 0.8;
+  height_ = 0.3;
+  velocity_mean_ = velocity;
+  velocity_square_ = height_ * height_ * rate_ * rate_;
+  acceleration_square_ = velocity_square_ * rate_ * rate_;
+  mean_.setZero();
+  mean_[0] = position;
+  mean_[1] = velocity;
+  covariance_.setZero();
+  const double wave = height_ * height_;
+  covariance_(0, 0) = position_stddev * position_stddev + wave;
+  covariance_(1, 1) = velocity_stddev * velocity_stddev + wave * rate_ * rate_;
+  covariance_(2, 2) = MANOEUVRE * MANOEUVRE;
+  for (int i : {3, 5})
+  {
+    covariance_(i, i) = wave;
+    covariance_(i + 1, i + 1) = wave * rate_ * rate_;
+  }
+}
+
+AxisFilter::Matrix AxisFilter::transition(double dt) const
+{
+  Matrix A = Matrix::Zero();
+  A(0, 1) = A(1, 2) = A(3, 4) = A(5, 6) = 1.0;
+  A(2, 2) = -1.0 / MANOEUVRE_TIME;
+  const double w = rate_;
+  A(4, 3) = A(6, 5) = -w * w;
+  A(4, 4) = A(6, 6) = -2.0 * DAMPING * w;
+  A(6, 3) = w * w;
+  const Matrix X = dt * A;
+  const Matrix X2 = X * X;
+  return Matrix::Identity() + X + 0.5 * X2 + X2 * (X / 6.0 + X2 / 24.0);
+}
+
+// White noise on the fading acceleration and on the first oscillator, over a short time.
+AxisFilter::Matrix AxisFilter::noise(double dt) const
+{
+  Matrix Q = Matrix::Zero();
+  const double jerk = 2.0 * MANOEUVRE * MANOEUVRE / MANOEUVRE_TIME;
+  Q(2, 2) = jerk * dt;
+  Q(1, 2) = Q(2, 1) = 0.5 * jerk * dt * dt;
+  Q(1, 1) = jerk * dt * dt * dt / 3.0;
+  const double wave = 32.0 * std::pow(DAMPING * rate_, 3) * height_ * height_;
+  Q(4, 4) = wave * dt;
+  Q(3, 4) = Q(4, 3) = 0.5 * wave * dt * dt;
+  Q(3, 3) = wave * dt * dt * dt / 3.0;
+  return Q;
+}
+
+// How fast and how high the waves are, from velocity and acceleration of the whole motion less their slow means.
+void AxisFilter::learn(double dt)
+{
+  const double velocity = velocityRow().dot(mean_), acceleration = accelerationRow().dot(mean_);
+  velocity_mean_ += (1.0 - std::exp(-dt / MEMORY)) * (velocity - velocity_mean_);
+  const double share = 1.0 - std::exp(-dt / MEMORY);
+  const double v = velocity - velocity_mean_;
+  velocity_square_ += share * (v * v - velocity_square_);
+  acceleration_square_ += share * (acceleration * acceleration - acceleration_square_);
+  rate_ = std::clamp(std::sqrt(acceleration_square_ / std::max(velocity_square_, 1e-12)), SLOWEST, FASTEST);
+  height_ = std::clamp(std::sqrt(velocity_square_) / rate_, LOWEST, HIGHEST);
+}
+
+void AxisFilter::predict(double t)
+{
+  while (t - time_ > 1e-9)
+  {
+    const double left = t - time_;
+    const double dt = left / std::ceil(left / LONGEST - 1e-9);
+    const Matrix F = transition(dt);
+    mean_ = (F * mean_).eval();
+    covariance_ = (F * covariance_ * F.transpose() + noise(dt)).eval();
+    time_ = left <= dt * (1.0 + 1e-9) ? t : time_ + dt;
+    learn(dt);
+  }
+}
+
+void AxisFilter::correct(const Row& H, double value, double stddev)
+{
+  const Vector column = covariance_ * H.transpose();
+  const double S = H.dot(column) + stddev * stddev;
+  mean_ += column * ((value - H.dot(mean_)) / S);
+  covariance_ -= column * column.transpose() / S;
+  covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
+}
+
+void AxisFilter::correctPosition(double position, double stddev)
+{
+  correct(positionRow(), position, stddev);
+}
+
+void AxisFilter::correctVelocity(double velocity, double stddev)
+{
+  correct(velocityRow(), velocity, stddev);
+}
+
+double AxisFilter::surprise(double position, double stddev) const
+{
+  const Row H = positionRow();
+  return (position - H.dot(mean_)) / std::sqrt(H.dot(covariance_ * H.transpose()) + stddev * stddev);
+}
+
+AxisFilter::Motion AxisFilter::at(double t) const
+{
+  AxisFilter ahead = *this;
+  ahead.predict(t);
+  Motion m;
+  const Row p = positionRow(), v = velocityRow();
+  const Row a = accelerationRow();
+  m.position = p.dot(ahead.mean_);
+  m.velocity = v.dot(ahead.mean_);
+  m.position_stddev = std::sqrt(std::max(p.dot(ahead.covariance_ * p.transpose()), 0.0));
+  m.velocity_stddev = std::sqrt(std::max(v.dot(ahead.covariance_ * v.transpose()), 0.0));
+  m.acceleration_stddev = std::sqrt(std::max(a.dot(ahead.covariance_ * a.transpose()), 0.0));
+  return m;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tether_monitor/core/settling.h"
+#include "tether_monitor/monitor/assessment.h"
+#include "tether_monitor/monitor/tether_estimator.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double NO_ORIENTATION = 1.0;       // standard deviation of an orientation that was not measured [rad]
+constexpr double STARTING_PLACE = 0.1;       // standard deviations of a motion that was told [m, m/s]
+constexpr double STARTING_SPEED = 0.2;
+
+core::Vector3 orElse(const core::Vector3& told, double otherwise)
+{
+  core::Vector3 stddev = told;
+  for (int i = 0; i < 3; ++i)
+    if (!(stddev[i] > 0.0))
+      stddev[i] = otherwise;
+  return stddev;
+}
+
+core::Vector3 unmeasuredAsInfinite(core::Vector3 stddev)
+{
+  for (int i = 0; i < 3; ++i)
+    if (stddev[i] >= VesselFilter::UNMEASURED)
+      stddev[i] = std::numeric_limits<double>::infinity();
+  return stddev;
+}
+
+bool isMissing(Rejection rejection)
+{
+  return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
+}
+}  // namespace
+
+Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
+{
+  const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
+  const Eigen::Quaterniond orientation = turns ? m.orientation : vessel_.lastOrientation();
+  const Rejection rejection = vessel_.addPose(m.t, m.position, orientation);
+  if (!isVehicleObserved() || !isMissing(rejection))
+    return rejection;
+  const core::Vector3 lever = orientation.normalized() * config_.vessel.attachment;
+  return vessel_filter_.addPosition(m.t, m.position + lever,
+                                    orElse(m.position_stddev, config_.vessel.position_stddev.value_or(0.0)));
+}
+
+Rejection TetherEstimator::addVessel(const RatesMeasurement& m)
+{
+  const Rejection rejection = vessel_.addRates(m.t, m.velocity, m.angular_velocity);
+  if (!isVehicleObserved() || !isMissing(rejection))
+    return rejection;
+  const core::Vector3 lever = vessel_.lastOrientation() * config_.vessel.attachment;
+  return vessel_filter_.addVelocity(m.t, m.velocity + m.angular_velocity.cross(lever),
+                                    orElse(m.velocity_stddev, config_.vessel.velocity_stddev.value_or(0.0)));
+}
+
+Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
+{
+  const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
+  const Rejection rejection =
+      vehicle_.addPose(m.t, m.position, turns ? m.orientation : vehicle_.lastOrientation());
+  if (!isVehicleObserved() || !isMissing(rejection))
+    return rejection;
+  if (turns && rejection == Rejection::NONE)
+    observer_.setAttitude(m.orientation.normalized());
+  const core::Vector3 stddev =
+      unmeasuredAsInfinite(orElse(m.position_stddev, config_.navigation.position_stddev));
+  return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::POSITION, m.position, stddev});
+}
+
+Rejection TetherEstimator::addVehicle(const RatesMeasurement& m)
+{
+  const Rejection rejection = vehicle_.addRates(m.t, m.velocity, m.angular_velocity);
+  if (!isVehicleObserved() || !isMissing(rejection))
+    return rejection;
+  const core::Vector3 stddev =
+      unmeasuredAsInfinite(orElse(m.velocity_stddev, config_.navigation.velocity_stddev));
+  return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::VELOCITY, m.velocity, stddev});
+}
+
+void TetherEstimator::tellVesselMotion(double t, const BodyState& vessel)
+{
+  vessel_filter_.start(t, vessel.attachmentPoint(config_.vessel.attachment), STARTING_PLACE, STARTING_SPEED);
+}
+
+bool TetherEstimator::canBegin(double t) const
+{
+  if (!isVehicleObserved())
+    return vessel_.hasPose() && (isVehicleFree() || vehicle_.hasPose());
+  return vessel_filter_.isReady(t) && observer_.isReady(t);
+}
+
+void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
+{
+  const VesselFilter::Motion vessel = vessel_filter_.follow(t);
+  targets.vessel = vessel.end;
+  targets.vessel_age = vessel_filter_.age(t);
+  targets.vessel_stddev = vessel.position_stddev;
+  targets.vessel_error_rate = vessel_filter_.errorRate(t);
+  targets.vehicle_age = observer_.age(t);
+  if (settled_)
+    return;
+  // A steady state has no waves: it begins on the vessel's way and fades into its motion.
+  targets.vessel = vessel_filter_.way(t);
+  vessel_filter_.followFrom(t, targets.vessel);
+  const core::Vector3& velocity = targets.vessel.velocity;
+  const core::Vector3 place = observer_.firstPosition(t, velocity).value_or(targets.vessel.position);
+  targets.vehicle = {place + vehicle_.lastOrientation() * config_.vehicle.attachment, velocity};
+}
+
+core::SolveReport TetherEstimator::findStart(const core::SteadyEnds& steady, core::NodeField& shape)
+{
+  if (isVehicleObserved())
+    return observer_.findStart(statics_, model_, steady, vehicle_.lastOrientation() * thrust_.force, shape);
+  return core::findSteadyState(statics_, model_, steady, shape);
+}
+
+core::SolveReport TetherEstimator::step(const core::EndPaths& paths, const EndTargets& ends, double t)
+{
+  if (isVehicleObserved())
+    return observer_.advance(model_, stepper_, paths, ends.vessel_stddev, ends.vessel_error_rate, t, state_);
+  return stepper_.advance(model_, paths, t, state_);
+}
+
+// What makes the numbers of an observed vehicle worthless, though it coasts on.
+Reason TetherEstimator::lackOf(double t) const
+{
+  if (!isVehicleObserved())
+    return Reason::NONE;
+  if (observer_.silence(t) > config_.invalid_timeout)
+    return Reason::VEHICLE_STALE;
+  const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
+  return band <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE : Reason::UNCERTAIN;
+}
+
+// What makes them doubtful.
+Reason TetherEstimator::doubt(double t) const
+{
+  if (observer_.isOverstretched())
+    return Reason::OUT_OF_RANGE;
+  if (observer_.isDisputed(t))
+    return Reason::DISAGREEMENT;
+  if (observer_.silence(t) > config_.pose_timeout)
+    return Reason::VEHICLE_STALE;
+  const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
+  return band > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN : Reason::NONE;
+}
+
+const TetherEstimate& TetherEstimator::withhold(Reason reason)
+{
+  invalidate(reason, estimate_);
+  alarms_changed_ = alarms_.update(estimate_);
+  return estimate_;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,74 @@
+#include "tether_monitor/monitor/fix_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double SAME_TIME = 1e-6;  // [s]
+constexpr double COARSE = 0.005;    // [m]: noise that never gives the same number thrice
+constexpr int STUCK = 3;            // equal positions in a row that cannot be measurements
+}  // namespace
+
+// Positions that scatter do not repeat to the last digit: the source has stopped and its driver goes on.
+bool FixLog::isStuck(const VehicleFix& fix)
+{
+  if (fix.kind != VehicleFix::Kind::POSITION)
+    return false;
+  repeats_ = fix.value == last_value_ ? repeats_ + 1 : 1;
+  last_value_ = fix.value;
+  return repeats_ >= STUCK && fix.stddev.minCoeff() > COARSE;
+}
+
+Rejection FixLog::add(const VehicleFix& fix, double earliest)
+{
+  if (!std::isfinite(fix.t) || !fix.value.allFinite() || fix.stddev.hasNaN() || !(fix.stddev.minCoeff() > 0.0))
+    return Rejection::NOT_FINITE;
+  const auto is_same = [&](const VehicleFix& other)
+  { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind; };
+  if (std::any_of(fixes_.begin(), fixes_.end(), is_same))
+    return Rejection::REPEATED;
+  if (fix.t < earliest)
+    return Rejection::TOO_LATE;
+  if (isStuck(fix))
+    return Rejection::STUCK;
+  if (fixes_.size() == CAPACITY)
+    fixes_.erase(fixes_.begin(), fixes_.begin() + CAPACITY / 2);
+  const auto place = std::upper_bound(fixes_.begin(), fixes_.end(), fix.t,
+                                      [](double t, const VehicleFix& other) { return t < other.t; });
+  fixes_.insert(place, fix);
+  earliest_unread_ = std::min(earliest_unread_, fix.t);
+  return Rejection::NONE;
+}
+
+void FixLog::clear()
+{
+  fixes_.clear();
+  markRead();
+  repeats_ = 0;
+}
+
+void FixLog::forgetBefore(double t)
+{
+  const auto first =
+      std::lower_bound(fixes_.begin(), fixes_.end(), t, [](const VehicleFix& fix, double x) { return fix.t < x; });
+  fixes_.erase(fixes_.begin(), first);
+}
+
+void FixLog::markRead()
+{
+  earliest_unread_ = std::numeric_limits<double>::infinity();
+}
+
+bool FixLog::isSound() const
+{
+  bool sound = fixes_.size() <= CAPACITY && !std::isnan(earliest_unread_);
+  for (std::size_t i = 0; i < fixes_.size(); ++i)
+    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.allFinite() && fixes_[i].stddev.minCoeff() > 0.0 &&
+            (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
+  return sound;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,355 @@
+#include "tether_monitor/monitor/vehicle_observer.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "tether_monitor/core/cable_forces.h"
+#include "tether_monitor/monitor/vehicle_start.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr std::size_t STEPS = 512, SAVED = 32;
+constexpr double OUT_OF_ORDER = 3.0;    // [s] by which a measurement may be later than the latency
+constexpr double LONGEST_STEP = 0.1;    // [s] between looks at measurements
+constexpr double REFIT = 5.0;           // [s] between looks at the tether's stiffness
+constexpr double ATTITUDE_RATE = 1.0;   // [rad/s] with which the vehicle turns to its measured attitude
+constexpr double WALK = 0.012;          // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
+constexpr double DRAG_WALK = 0.01;      // likewise of the drag
+constexpr double SPEED_DOUBT = 0.2;     // standard deviation of the vehicle's velocity at the start [m/s]
+constexpr double FIRST_WAIT = 5.0;      // [s] for the first three positions
+constexpr double FIRST_DRIFT = 0.3;     // speed by which the vehicle may part from the vessel then [m/s]
+constexpr int FIRST_FIXES = 3, MEDIAN_OF = 5;
+constexpr double STRETCH_SHARE = 0.1, STRETCH_MOST = 3.0, STRETCH_LIMIT = 0.75;
+constexpr double MODEL_DOUBT = 0.002;   // of a tension, relative: mesh, step, rounding of motions [-]
+
+DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core::RigidBody& body)
+{
+  DisturbanceModel model;
+  model.force = navigation.force_stddev.value_or(0.1 * 9.81 * body.mass);
+  model.force_walk = WALK * model.force;
+  model.drag = navigation.drag_stddev;
+  model.drag_walk = DRAG_WALK * model.drag;
+  return model;
+}
+
+double median(std::array<double, MEDIAN_OF>& x, int n)
+{
+  std::sort(x.begin(), x.begin() + n);
+  return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
+}
+}  // namespace
+
+VehicleObserver::VehicleObserver(const Config& config, int nodes)
+  : navigation_(config.navigation),
+    body_(config.vehicle_body),
+    solver_(nodes),
+    begun_at_(-std::numeric_limits<double>::infinity()),
+    steps_(config.vehicle_mode == VehicleMode::OBSERVED ? STEPS : 0),
+    saved_(config.vehicle_mode == VehicleMode::OBSERVED ? SAVED : 0),
+    newest_(-std::numeric_limits<double>::infinity())
+{
+  body_.attachment = config.vehicle.attachment;
+}
+
+Rejection VehicleObserver::add(const VehicleFix& fix)
+{
+  if (fix.t < begun_at_)
+    return Rejection::NONE;
+  const Rejection rejection =
+      log_.add(fix, saved_.empty() ? -std::numeric_limits<double>::infinity() : saved_.front().state.time);
+  if (rejection == Rejection::NONE && fix.kind == VehicleFix::Kind::POSITION && fix.t > newest_)
+  {
+    if (std::isfinite(newest_))
+    {
+      const double now = std::min(fix.t - newest_, 10.0);
+      interval_ += (interval_ > 0.0 ? 0.2 : 1.0) * (now - interval_);
+    }
+    newest_ = fix.t;
+  }
+  return rejection;
+}
+
+void VehicleObserver::clear()
+{
+  log_.clear();
+  live_ = Live();
+  steps_.clear();
+  saved_.clear();
+  attitude_.reset();
+  begun_at_ = newest_ = -std::numeric_limits<double>::infinity();
+  interval_ = 0.0;
+}
+
+std::optional<core::Vector3> VehicleObserver::firstPosition(double t, const core::Vector3& velocity)
+{
+  std::array<std::array<double, MEDIAN_OF>, 3> last{};
+  int n = 0;
+  for (auto fix = log_.fixes().rbegin(); fix != log_.fixes().rend() && n < MEDIAN_OF; ++fix)
+    if (fix->kind == VehicleFix::Kind::POSITION)
+    {
+      for (int i = 0; i < 3; ++i)
+        last[i][n] = fix->value[i] + velocity[i] * (t - fix->t);
+      ++n;
+      first_stddev_ = std::hypot(navigation_.position_stddev, FIRST_DRIFT * (t - fix->t));
+    }
+  if (n == 0)
+    return std::nullopt;
+  return core::Vector3(median(last[0], n), median(last[1], n), median(last[2], n));
+}
+
+bool VehicleObserver::isReady(double t) const
+{
+  const auto is_position = [](const VehicleFix& fix) { return fix.kind == VehicleFix::Kind::POSITION; };
+  const auto& fixes = log_.fixes();
+  const auto first = std::find_if(fixes.begin(), fixes.end(), is_position);
+  return first != fixes.end() && (std::count_if(fixes.begin(), fixes.end(), is_position) >= FIRST_FIXES ||
+                                  t - first->t > FIRST_WAIT + navigation_.latency);
+}
+
+core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core::CableModel& model,
+                                             const core::SteadyEnds& ends, const core::Vector3& thrust,
+                                             core::NodeField& shape)
+{
+  VehicleStart start;
+  const core::SolveReport report =
+      findVehicleStart(statics, model, ends, first_stddev_, thrust, disturbanceModel(navigation_, body_).force, start);
+  if (!report.converged())
+    return report;
+  live_.overstretch = (ends.vehicle - ends.vessel).norm() > model.length() + 3.0 * first_stddev_ ? 1.0 : 0.0;
+  start_force_ = start.force;
+  start_place_ = start.place;
+  shape = start.shape;
+  return report;
+}
+
+void VehicleObserver::setNodes(int nodes)
+{
+  solver_ = core::EndImpedanceSolver(nodes);
+  steps_.clear();
+  saved_.clear();
+}
+
+void VehicleObserver::forgetPast(const core::CableModel& model, const core::CableState& state)
+{
+  if (saved_.empty())
+    return;
+  steps_.clear();
+  saved_.clear();
+  for (Saved& slot : saved_.slots())
+    slot.state = state;
+  save(model, state);
+}
+
+void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state)
+{
+  begun_at_ = state.time;
+  origin_ = origin;
+  if (attitude_)
+    state.vehicle.orientation = *attitude_;
+  EndStiffness stiffness;
+  stiffness.mass = (body_.mass + body_.added_mass.mean()) * core::Matrix3::Identity();
+  fitEndStiffness(solver_, model, state, 1.0, stiffness);
+  live_.filter.start(disturbanceModel(navigation_, body_), start_place_, SPEED_DOUBT, start_force_,
+                     core::bodyDrag(body_, model.sea(), state.time, core::attachmentMotion(state, model.elements()),
+                                    state.vehicle),
+                     stiffness);
+  live_.judge.start(state.time);
+  live_.refit_at = state.time + REFIT;
+  log_.forgetBefore(state.time);
+  log_.markRead();
+  steps_.clear();
+  saved_.clear();
+  for (Saved& slot : saved_.slots())
+    slot.state = state;
+  save(model, state);
+}
+
+core::EndPoint VehicleObserver::centre(const core::CableState& state) const
+{
+  const core::Vector3 arm = state.vehicle.orientation * body_.attachment;
+  const core::Vector3 spin = state.vehicle.orientation * state.vehicle.velocity;
+  return {state.q.back().head<3>() - arm, state.v.back().head<3>() - spin.cross(arm)};
+}
+
+void VehicleObserver::save(const core::CableModel& model, const core::CableState& state)
+{
+  const double spacing = (navigation_.latency + OUT_OF_ORDER) / (SAVED - 4);
+  if (!saved_.empty() && state.time < saved_.back().state.time + spacing)
+    return;
+  Saved& saved = saved_.extend();
+  saved.state = state;
+  saved.payout = model.payout();
+  saved.live = live_;
+}
+
+void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step,
+                           const core::CableModel& model, const core::CableState& state)
+{
+  const bool is_position = fix.kind == VehicleFix::Kind::POSITION;
+  const core::Vector3 value = is_position ? core::Vector3(fix.value - origin_) : fix.value;
+  const core::Vector3 expected = is_position ? nominal.position(fix.t) : nominal.velocity(fix.t);
+  if (is_position)
+  {
+    const core::Vector3 end = value + state.vehicle.orientation * body_.attachment;
+    const core::Vector3 chord = end - step.paths.vessel.position(fix.t);
+    const double excess = chord.norm() - std::max(model.length(), (state.q.back() - state.q.front()).head<3>().norm());
+    const double sure = std::sqrt(fix.stddev.cwiseMin(1e6).squaredNorm() / 3.0 + step.vessel_stddev.squaredNorm());
+    live_.overstretch +=
+        STRETCH_SHARE * (std::clamp(excess / sure, -STRETCH_MOST, STRETCH_MOST) - live_.overstretch);
+  }
+  live_.judge.judge(fix, value - expected, live_.filter);
+}
+
+core::SolveReport VehicleObserver::make(const Step& step, core::CableModel& model, core::Stepper& stepper,
+                                        core::CableState& state)
+{
+  core::EndPaths paths = step.paths;
+  paths.vehicle_force = live_.filter.force();
+  if (step.has_attitude)
+  {
+    Eigen::Quaterniond off = state.vehicle.orientation.conjugate() * step.attitude;
+    if (off.w() < 0.0)
+      off.coeffs() *= -1.0;
+    paths.vehicle_thrust.torque += (body_.inertia + body_.added_inertia)
+                                       .cwiseProduct(ATTITUDE_RATE * ATTITUDE_RATE * 2.0 * off.vec() -
+                                                     2.0 * ATTITUDE_RATE * state.vehicle.velocity);
+  }
+  const core::EndPoint before = centre(state);
+  const core::SolveReport report = stepper.advance(model, paths, step.to, state);
+  if (!report.converged())
+    return report;
+  const core::Vector3 drag = core::bodyDrag(body_, model.sea(), state.time,
+                                            core::attachmentMotion(state, state.q.size() - 1), state.vehicle);
+  live_.filter.predict(step.to - step.from, drag, live_.judge.unrest());
+  const core::EndPath nominal = core::EndPath::between(step.from, before, step.to, centre(state));
+  const auto& fixes = log_.fixes();
+  auto fix = std::upper_bound(fixes.begin(), fixes.end(), step.from,
+                              [](double t, const VehicleFix& other) { return t < other.t; });
+  for (; fix != fixes.end() && fix->t <= step.to; ++fix)
+    look(*fix, nominal, step, model, state);
+  if (state.time >= live_.refit_at)
+  {
+    EndStiffness stiffness = live_.filter.stiffness();
+    if (fitEndStiffness(solver_, model, state, step.error_rate, stiffness))
+      live_.filter.setStiffness(stiffness);
+    live_.refit_at = state.time + REFIT;
+  }
+  save(model, state);
+  return report;
+}
+
+// Back to the last saved state before `from`, and all steps from there again.
+core::SolveReport VehicleObserver::again(double from, core::CableModel& model, core::Stepper& stepper,
+                                         core::CableState& state)
+{
+  std::size_t kept = saved_.size();
+  while (kept > 1 && saved_[kept - 1].state.time > from)
+    --kept;
+  saved_.truncate(kept);
+  state = saved_.back().state;
+  live_ = saved_.back().live;
+  if (saved_.back().payout.length != model.length() || saved_.back().payout.rate != model.payout().rate)
+    model.setPayout(saved_.back().payout);
+  core::SolveReport total;
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+  {
+    if (steps_[i].from < state.time - 1e-9)
+      continue;
+    const core::SolveReport report = make(steps_[i], model, stepper, state);
+    total.addCost(report);
+    total.status = report.status;
+    total.residual = report.residual;
+    repeated_ += report.steps;
+    if (!report.converged())
+      break;
+  }
+  return total;
+}
+
+core::SolveReport VehicleObserver::advance(core::CableModel& model, core::Stepper& stepper,
+                                           const core::EndPaths& paths, const core::Vector3& vessel_stddev,
+                                           double error_rate, double t, core::CableState& state)
+{
+  core::SolveReport total;
+  const double late = log_.earliestUnread();
+  log_.markRead();
+  if (late <= state.time)
+  {
+    total = again(late, model, stepper, state);
+    if (!total.converged())
+      return total;
+  }
+  const double duration = t - state.time;
+  const int parts = static_cast<int>(std::clamp(std::ceil(duration / LONGEST_STEP - 1e-9), 1.0, double(STEPS)));
+  const double begin = state.time;
+  for (int k = 1; k <= parts; ++k)
+  {
+    Step& step = steps_.extend();
+    step.from = state.time;
+    step.to = k == parts ? t : begin + k * duration / parts;
+    step.paths = paths;
+    step.has_attitude = attitude_.has_value();
+    step.attitude = attitude_.value_or(Eigen::Quaterniond::Identity());
+    step.error_rate = error_rate;
+    step.vessel_stddev = vessel_stddev;
+    const core::SolveReport report = make(step, model, stepper, state);
+    total.addCost(report);
+    total.status = report.status;
+    total.residual = report.residual;
+    if (!report.converged())
+      return total;
+  }
+  log_.forgetBefore(saved_.front().state.time);
+  return total;
+}
+
+void VehicleObserver::describe(TetherEstimate& e) const
+{
+  const VehicleFilter& filter = live_.filter;
+  e.vehicle.position += filter.positionError();
+  e.vehicle.velocity += filter.velocityError();
+  e.vehicle_position_stddev = std::sqrt(filter.positionStddev().squaredNorm() / 3.0);
+  e.vehicle_velocity_stddev = std::sqrt(filter.velocityStddev().squaredNorm() / 3.0);
+  e.disturbance = filter.disturbance();
+  e.disturbance_stddev = std::sqrt(filter.forceStddev().squaredNorm() / 3.0);
+  const core::Vector3 along = e.stations.ends.vehicle.normalized();
+  const double not_meant = along.dot(filter.disturbance() - filter.force());
+  const core::Vector3 vessel = steps_.empty() ? core::Vector3::Zero() : steps_[steps_.size() - 1].vessel_stddev;
+  const double shaken = filter.stiffness().vessel_end.transpose().cwiseProduct(vessel).norm();
+  const auto sum = [&](double own, double others, double tension)
+  { return std::sqrt(own * own + others * others + not_meant * not_meant + std::pow(MODEL_DOUBT * tension, 2)); };
+  e.vessel_tension_stddev = sum(filter.tensionStddev(filter.stiffness().vessel), shaken, e.vessel_tension);
+  e.vehicle_tension_stddev = sum(filter.tensionStddev(filter.stiffness().vehicle), shaken, e.vehicle_tension);
+}
+
+double VehicleObserver::age(double t) const
+{
+  return saved_.empty() ? t - newest_ : t - live_.judge.lastAccepted();
+}
+
+double VehicleObserver::silence(double t) const
+{
+  return age(t) - navigation_.latency - 2.0 * interval_;
+}
+
+bool VehicleObserver::isDisputed(double t) const
+{
+  return live_.judge.isDisputed(t);
+}
+
+bool VehicleObserver::isOverstretched() const
+{
+  return live_.overstretch > STRETCH_LIMIT;
+}
+
+bool VehicleObserver::isSound() const
+{
+  return log_.isSound() && steps_.isSound(STEPS) && saved_.isSound(SAVED);
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,148 @@
+#include "tether_monitor/monitor/vehicle_start.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tether_monitor/core/cable_forces.h"
+#include "tether_monitor/core/contact.h"
+#include "tether_monitor/core/end_impedance.h"
+#include "tether_monitor/core/settling.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double STATIC_RATE = 0.003;  // rate of growth that stands for a steady state [1/s]
+constexpr double LONGEST_REACH = 0.9995;  // chord over length at which a vehicle can be held
+constexpr int PASSES = 8;
+constexpr double GOOD = 1e-3;             // relative gain of a pass that is not worth another
+
+class Search
+{
+ public:
+  Search(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends, double place_stddev,
+         const core::Vector3& thrust, double force_stddev)
+    : statics_(statics),
+      model_(model),
+      body_(*model.bodies().vehicle),
+      ends_(ends),
+      thrust_(thrust),
+      certain_(1.0 / (place_stddev * place_stddev)),
+      known_(1.0 / (force_stddev * force_stddev)),
+      solver_(model.nodes())
+  {
+  }
+
+  bool hasFound() const { return std::isfinite(cost_); }
+  const VehicleStart& best() const { return best_; }
+  const core::SolveReport& report() const { return report_; }
+
+  // Over the force, by Gauss and Newton with halved steps.
+  void hang()
+  {
+    core::Vector3 force = core::Vector3::Zero();
+    if (!tryForce(force))
+      return;
+    for (int pass = 0; pass < PASSES && hasFound(); ++pass)
+    {
+      const double before = cost_;
+      const core::Matrix3 Y = compliance_;
+      const core::Matrix3 H = certain_ * Y.transpose() * Y + known_ * core::Matrix3::Identity();
+      core::Vector3 step = -H.ldlt().solve(certain_ * Y.transpose() * off_ + known_ * best_.force);
+      bool better = false;
+      for (int halving = 0; halving < 4 && !better; ++halving, step *= 0.5)
+        better = tryForce(best_.force + step);
+      if (!better || before - cost_ < GOOD * before)
+        return;
+    }
+  }
+
+  // At the measured place, as far as the tether reaches.
+  void hold()
+  {
+    core::CableModel held = model_;
+    held.setBodies({});
+    core::SteadyEnds at = ends_;
+    const core::Vector3 away = ends_.vehicle - ends_.vessel;
+    at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length() / away.norm()) * away;
+    core::NodeField shape;
+    const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
+    if (!report.converged())
+      return;
+    core::CableState state(0.0, shape, ends_.velocity);
+    core::beginContact(held, state);
+    core::Sea calm = model_.sea();
+    calm.calm();
+    const core::Vector3 force = -core::steadyForce(body_, calm, at.vehicle, ends_.velocity) -
+                                core::endForces(held, state).vehicle - thrust_;
+    take(force, shape, report);
+  }
+
+ private:
+  bool tryForce(const core::Vector3& force)
+  {
+    core::RigidBody body = body_;
+    body.force += force + thrust_;
+    core::CableModel loaded = model_;
+    loaded.setBodies({std::nullopt, body});
+    core::NodeField shape;
+    const core::SolveReport report = statics_.solve(loaded, ends_, shape);
+    return report.converged() && take(force, shape, report);
+  }
+
+  // Keeps a solution if it is the likeliest so far.
+  bool take(const core::Vector3& force, const core::NodeField& shape, const core::SolveReport& report)
+  {
+    const core::Vector3 off = shape.back().head<3>() - ends_.vehicle;
+    const double cost = certain_ * off.squaredNorm() + known_ * force.squaredNorm();
+    if (!(cost < cost_))
+      return false;
+    core::CableState state(0.0, shape, ends_.velocity);
+    core::beginContact(model_, state);
+    core::EndImpedance impedance;
+    if (!solver_.solve(model_, state, STATIC_RATE, impedance))
+      return false;
+    cost_ = cost;
+    off_ = off;
+    report_ = report;
+    const core::Matrix3& K = impedance.vehicle;
+    compliance_ = K.inverse();
+    best_.shape = shape;
+    best_.force = force;
+    best_.place = (certain_ * core::Matrix3::Identity() + known_ * K.transpose() * K).inverse();
+    return true;
+  }
+
+  core::Statics& statics_;
+  const core::CableModel& model_;
+  core::RigidBody body_;
+  core::SteadyEnds ends_;
+  core::Vector3 thrust_;
+  double certain_, known_;
+  core::EndImpedanceSolver solver_;
+  VehicleStart best_;
+  double cost_ = std::numeric_limits<double>::infinity();
+  core::Vector3 off_ = core::Vector3::Zero();
+  core::Matrix3 compliance_ = core::Matrix3::Zero();
+  core::SolveReport report_;
+};
+}  // namespace
+
+core::SolveReport findVehicleStart(core::Statics& statics, const core::CableModel& model,
+                                   const core::SteadyEnds& ends, double place_stddev, const core::Vector3& thrust,
+                                   double force_stddev, VehicleStart& start)
+{
+  Search search(statics, model, ends, place_stddev, thrust, force_stddev);
+  search.hang();
+  search.hold();
+  core::SolveReport report = search.report();
+  if (!search.hasFound())
+    report.status = core::SolveStatus::NOT_CONVERGED;
+  else
+    start = search.best();
+  return report;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,275 @@
+#include "tether_monitor/monitor/vessel_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr int CHECKPOINT_EVERY = 8;      // measurements
+constexpr std::size_t CHECKPOINTS = 32;
+constexpr double GATE = 6.0;             // standard deviations: farther is an outlier
+constexpr int CONVINCED = 4;             // so many outliers in a row are the truth
+constexpr double SPEED_DOUBT = 5.0;      // standard deviation of a velocity that nobody knows [m/s]
+constexpr double READY_SPEED = 0.3;      // standard deviation of the velocity to begin with [m/s]
+constexpr double FIRST_LOOK = 10.0;      // [s] of measurements to begin with
+constexpr double FADING = 0.5;           // rate at which a correction fades [1/s]
+constexpr double FIRST_FADING = 8.0;     // so much slower it is at first, ...
+constexpr double FIRST_TIME = 10.0;      // ... less and less within this time [s]
+constexpr double WAY = 20.0;             // [s] over which a vessel goes straight
+constexpr double LONGEST_GAP = 60.0;     // [s]; after it a filter begins anew
+}  // namespace
+
+VesselFilter::VesselFilter()
+{
+  log_.reserve(CAPACITY);
+  checkpoints_.reserve(CHECKPOINTS);
+  clear();
+}
+
+void VesselFilter::clear()
+{
+  filters_ = Filters();
+  scatter_ = velocity_scatter_ = std::array<Scatter, 3>();
+  log_.clear();
+  checkpoints_.clear();
+  since_checkpoint_ = 0;
+  last_measured_.fill(-std::numeric_limits<double>::infinity());
+  first_ = std::numeric_limits<double>::infinity();
+  surprises_ = {};
+  following_since_ = -std::numeric_limits<double>::infinity();
+}
+
+void VesselFilter::start(double t, const core::EndPoint& end, double position_stddev, double velocity_stddev)
+{
+  clear();
+  first_ = t;
+  for (int i = 0; i < 3; ++i)
+  {
+    filters_[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
+    last_measured_[i] = t;
+  }
+}
+
+Rejection VesselFilter::addPosition(double t, const core::Vector3& position, const core::Vector3& stddev)
+{
+  return add({t, false, position, stddev});
+}
+
+Rejection VesselFilter::addVelocity(double t, const core::Vector3& velocity, const core::Vector3& stddev)
+{
+  return add({t, true, velocity, stddev});
+}
+
+Rejection VesselFilter::add(const Entry& told)
+{
+  Entry entry = told;
+  std::array<Scatter, 3>& scatter = entry.is_velocity ? velocity_scatter_ : scatter_;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool is_measured = !(entry.stddev[i] > UNMEASURED);
+    if (is_measured && !std::isfinite(entry.value[i]))
+      return Rejection::NOT_FINITE;
+    if (!is_measured)
+      entry.stddev[i] = std::numeric_limits<double>::infinity();
+  }
+  if (!std::isfinite(entry.t))
+    return Rejection::NOT_FINITE;
+  const auto same = [&](const Entry& e) { return e.t == entry.t && e.is_velocity == entry.is_velocity && e.value == entry.value; };
+  if (std::any_of(log_.rbegin(), log_.rend(), same))
+    return Rejection::OUT_OF_ORDER;
+  const bool is_late = !log_.empty() && entry.t < log_.back().t;
+  if (is_late && (checkpoints_.empty() || entry.t < checkpoints_.front().t))
+    return Rejection::OUT_OF_ORDER;
+  for (int i = 0; i < 3; ++i)
+    if (std::isfinite(entry.stddev[i]))
+    {
+      scatter[i].add(entry.t, entry.value[i]);
+      if (!(entry.stddev[i] > 0.0))
+        entry.stddev[i] = scatter[i].stddev();
+      if (!entry.is_velocity)
+        last_measured_[i] = std::max(last_measured_[i], entry.t);
+    }
+  first_ = std::min(first_, entry.t);
+  if (log_.size() == CAPACITY)
+    log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
+  const auto place = std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
+  const std::size_t index = place - log_.begin();
+  log_.insert(place, entry);
+  if (!is_late)
+  {
+    run(entry);
+    return Rejection::NONE;
+  }
+  // Back to before it, and again.
+  while (checkpoints_.size() > 1 && checkpoints_.back().t > entry.t)
+    checkpoints_.pop_back();
+  filters_ = checkpoints_.back().filters;
+  surprises_ = checkpoints_.back().surprises;
+  const double from = checkpoints_.back().t;
+  checkpoints_.pop_back();
+  since_checkpoint_ = CHECKPOINT_EVERY;
+  std::size_t first = index;
+  while (first > 0 && log_[first - 1].t >= from)
+    --first;
+  for (std::size_t k = first; k < log_.size(); ++k)
+    run(log_[k]);
+  return Rejection::NONE;
+}
+
+void VesselFilter::remember(double t)
+{
+  since_checkpoint_ = 0;
+  if (checkpoints_.size() == CHECKPOINTS)
+    checkpoints_.erase(checkpoints_.begin(), checkpoints_.begin() + CHECKPOINTS / 2);
+  checkpoints_.push_back({t, filters_, surprises_});
+}
+
+void VesselFilter::run(const Entry& entry)
+{
+  if (++since_checkpoint_ >= CHECKPOINT_EVERY && (checkpoints_.empty() || checkpoints_.back().t < entry.t))
+    remember(entry.t);
+  for (int i = 0; i < 3; ++i)
+  {
+    AxisFilter& filter = filters_[i];
+    if (!std::isfinite(entry.stddev[i]))
+      continue;
+    if (!filter.isStarted() || entry.t - filter.time() > LONGEST_GAP)
+    {
+      if (!entry.is_velocity)
+        filter.start(entry.t, entry.value[i], entry.stddev[i], 0.0, SPEED_DOUBT);
+      continue;
+    }
+    filter.predict(entry.t);
+    if (entry.is_velocity)
+    {
+      filter.correctVelocity(entry.value[i], entry.stddev[i]);
+      continue;
+    }
+    if (std::abs(filter.surprise(entry.value[i], entry.stddev[i])) < GATE)
+    {
+      surprises_[i] = 0;
+      filter.correctPosition(entry.value[i], entry.stddev[i]);
+    }
+    else if (++surprises_[i] >= CONVINCED)
+    {
+      surprises_[i] = 0;
+      filter.start(entry.t, entry.value[i], entry.stddev[i], filter.at(entry.t).velocity, 1.0);
+    }
+    else
+    {
+      ++outliers_;
+    }
+  }
+}
+
+bool VesselFilter::hasPosition() const
+{
+  return std::all_of(filters_.begin(), filters_.end(), [](const AxisFilter& f) { return f.isStarted(); });
+}
+
+bool VesselFilter::isReady(double t) const
+{
+  if (!hasPosition() || t - first_ < FIRST_LOOK)
+    return false;
+  return std::all_of(filters_.begin(), filters_.end(),
+                     [](const AxisFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
+}
+
+double VesselFilter::age(double t) const
+{
+  return t - *std::min_element(last_measured_.begin(), last_measured_.end());
+}
+
+VesselFilter::Motion VesselFilter::at(double t) const
+{
+  return motionOf(filters_, t);
+}
+
+void VesselFilter::followFrom(double t, const core::EndPoint& from)
+{
+  const core::EndPoint now = at(t).end;
+  offset_ = {from.position - now.position, from.velocity - now.velocity};
+  shown_ = filters_;
+  shown_at_ = following_since_ = t;
+}
+
+VesselFilter::Motion VesselFilter::follow(double t)
+{
+  Motion motion = at(t);
+  if (!(following_since_ > -std::numeric_limits<double>::infinity()))
+    followFrom(t, motion.end);
+  const double dt = t - shown_at_;
+  if (dt > 0.0)
+  {
+    // What the measurements since then have changed, and its critically damped fading.
+    const core::EndPoint expected = motionOf(shown_, t).end;
+    const double w = FADING / std::max(1.0, FIRST_FADING * (1.0 - (t - following_since_) / FIRST_TIME));
+    const double decay = std::exp(-w * dt);
+    const core::Vector3 drive = offset_.velocity + w * offset_.position;
+    offset_.position = decay * (offset_.position + dt * drive) - (motion.end.position - expected.position);
+    offset_.velocity = decay * (offset_.velocity - w * dt * drive) - (motion.end.velocity - expected.velocity);
+  }
+  shown_ = filters_;
+  shown_at_ = t;
+  motion.end.position += offset_.position;
+  motion.end.velocity += offset_.velocity;
+  return motion;
+}
+
+VesselFilter::Motion VesselFilter::motionOf(const Filters& filters, double t)
+{
+  Motion motion;
+  for (int i = 0; i < 3; ++i)
+  {
+    const AxisFilter::Motion m =
+        filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + LONGEST_GAP));
+    motion.end.position[i] = m.position;
+    motion.end.velocity[i] = m.velocity;
+    motion.position_stddev[i] = m.position_stddev;
+    motion.acceleration_stddev[i] = m.acceleration_stddev;
+  }
+  return motion;
+}
+
+core::EndPoint VesselFilter::way(double t) const
+{
+  core::EndPoint end = at(t).end;
+  for (int i = 0; i < 3; ++i)
+  {
+    double n = 0.0, mean_t = 0.0, mean = 0.0, square = 0.0, product = 0.0;
+    for (const Entry& e : log_)
+      if (!e.is_velocity && std::isfinite(e.stddev[i]) && e.t > t - WAY)
+      {
+        n += 1.0;
+        const double dt = e.t - t - mean_t, dx = e.value[i] - mean;
+        mean_t += dt / n;
+        mean += dx / n;
+        square += dt * (e.t - t - mean_t);
+        product += dt * (e.value[i] - mean);
+      }
+    if (n < 2.0 || !(square > 0.0))
+      continue;
+    end.velocity[i] = i < 2 ? product / square : 0.0;  // no vessel rises for long
+    end.position[i] = mean - end.velocity[i] * mean_t;
+  }
+  return end;
+}
+
+double VesselFilter::errorRate(double t) const
+{
+  const Motion m = at(t);
+  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)), 0.3, 5.0);
+}
+
+bool VesselFilter::isSound() const
+{
+  if (log_.size() > CAPACITY || checkpoints_.size() > CHECKPOINTS)
+    return false;
+  return std::all_of(filters_.begin(), filters_.end(),
+                     [](const AxisFilter& f) { return !f.isStarted() || (std::isfinite(f.time()) && std::isfinite(f.at(f.time()).position)); });
+}
+
+}  // namespace tether_monitor::monitor
