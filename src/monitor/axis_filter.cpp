@@ -7,7 +7,6 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double MANOEUVRE = 0.02;       // standard deviation of the vessel's own acceleration [m/s^2]
 constexpr double MANOEUVRE_TIME = 20.0;  // [s] over which it fades
 constexpr double DAMPING = 0.05;          // of the oscillators [-]: how wide the spectrum of the waves is
 constexpr double MEMORY = 60.0;          // [s] of what the waves are like
@@ -57,7 +56,7 @@ void AxisFilter::start(double t, double position, double position_stddev, double
   const double wave = height_ * height_;
   covariance_(0, 0) = position_stddev * position_stddev + wave;
   covariance_(1, 1) = velocity_stddev * velocity_stddev + wave * rate_ * rate_;
-  covariance_(2, 2) = MANOEUVRE * MANOEUVRE;
+  covariance_(2, 2) = manoeuvre_ * manoeuvre_;
   for (int i : {3, 5})
   {
     covariance_(i, i) = wave;
@@ -83,7 +82,7 @@ AxisFilter::Matrix AxisFilter::transition(double dt) const
 AxisFilter::Matrix AxisFilter::noise(double dt) const
 {
   Matrix Q = Matrix::Zero();
-  const double jerk = 2.0 * MANOEUVRE * MANOEUVRE / MANOEUVRE_TIME;
+  const double jerk = 2.0 * manoeuvre_ * manoeuvre_ / MANOEUVRE_TIME;
   Q(2, 2) = jerk * dt;
   Q(1, 2) = Q(2, 1) = 0.5 * jerk * dt * dt;
   Q(1, 1) = jerk * dt * dt * dt / 3.0;

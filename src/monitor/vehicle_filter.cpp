@@ -10,11 +10,16 @@ namespace
 {
 constexpr double STRIDE = 0.25;      // [s] between looks at the covariance
 constexpr double UNBALANCED = 0.2;   // disturbance at the start that is not balanced, over its standard deviation [-]
-constexpr double HANDOVER = 4.0;     // [s] in which the nominal vehicle takes over what is known of the disturbance
+constexpr double HANDOVER = 4;     // [s] in which the nominal vehicle takes over what is known of the disturbance
 constexpr double REACH_TIME = 60.0;   // [s] in which an error of the reach fades
-constexpr double PULL_RATE = 0.4;    // [1/s] bandwidth with which the nominal vehicle follows the mean
+constexpr double PULL_RATE = .2;    // [1/s] bandwidth with which the nominal vehicle follows the mean
 constexpr double STRONGEST = 2.0;    // pull over the standard deviation of the disturbance [-]
 constexpr double MOST_DOUBT = 2.0;   // standard deviation of the disturbance over that before the first measurement [-]
+
+core::Vector3 shares(const DisturbanceModel& model)
+{
+  return {1.0, 1.0, model.vertical};
+}
 }  // namespace
 
 void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& place, double velocity_stddev,
@@ -31,7 +36,7 @@ void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& pl
   covariance_.setZero();
   covariance_.block<3, 3>(0, 0) = place;
   covariance_.diagonal().segment<3>(3).setConstant(velocity_stddev * velocity_stddev);
-  covariance_.diagonal().segment<3>(6).setConstant(std::pow(UNBALANCED * model.force, 2));
+  covariance_.diagonal().segment<3>(6) = (UNBALANCED * shares(model) * model.force).cwiseAbs2();
   covariance_(9, 9) = model.drag * model.drag;
   covariance_(10, 10) = model.first_reach * model.first_reach;
   // At the start the vehicle is in balance: what is wrong of its place or its drag is wrong of the disturbance.
@@ -108,7 +113,7 @@ void VehicleFilter::spread()
   covariance_ = (phi * covariance_ * phi.transpose()).eval();
   covariance_.diagonal().segment<3>(3).array() += waiting_ * model_.acceleration * model_.acceleration;
   const double walk = unrest_ * model_.force_walk;
-  covariance_.diagonal().segment<3>(6).array() += waiting_ * walk * walk;
+  covariance_.diagonal().segment<3>(6) += waiting_ * (walk * shares(model_)).cwiseAbs2();
   const double drag_walk = unrest_ * model_.drag_walk;
   covariance_(9, 9) += waiting_ * drag_walk * drag_walk;
   covariance_(10, 10) += waiting_ * 2.0 * model_.reach * model_.reach / REACH_TIME;

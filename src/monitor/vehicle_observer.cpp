@@ -18,8 +18,9 @@ constexpr double OUT_OF_ORDER = 3.0;    // [s] by which a measurement may be lat
 constexpr double LONGEST_STEP = 0.1;    // [s] between looks at measurements
 constexpr double REFIT = 5.0;           // [s] between looks at the tether's stiffness
 constexpr double ATTITUDE_RATE = 1.0;   // [rad/s] with which the vehicle turns to its measured attitude
-constexpr double WALK = 0.012;          // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
-constexpr double DRAG_WALK = 0.01;      // likewise of the drag
+constexpr double FORCE_SHARE = 0.25;     // disturbance that nobody told of, over the mass [m/s^2]
+constexpr double WALK = .003;          // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
+constexpr double DRAG_WALK = .003;      // likewise of the drag
 constexpr double SPEED_DOUBT = 0.2;     // standard deviation of the vehicle's velocity at the start [m/s]
 constexpr double FIRST_WAIT = 5.0;      // [s] for the first three positions
 constexpr double FIRST_DRIFT = 0.3;     // speed by which the vehicle may part from the vessel then [m/s]
@@ -30,7 +31,7 @@ constexpr double MODEL_DOUBT = 0.002;   // of a tension, relative: mesh, step, r
 DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core::RigidBody& body)
 {
   DisturbanceModel model;
-  model.force = navigation.force_stddev.value_or(0.1 * 9.81 * body.mass);
+  model.force = navigation.force_stddev.value_or(FORCE_SHARE * body.mass);
   model.force_walk = WALK * model.force;
   model.drag = navigation.drag_stddev;
   model.drag_walk = DRAG_WALK * model.drag;
@@ -117,7 +118,8 @@ core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core:
 {
   VehicleStart start;
   const core::SolveReport report =
-      findVehicleStart(statics, model, ends, first_stddev_, thrust, disturbanceModel(navigation_, body_).force, start);
+      findVehicleStart(statics, model, ends, first_stddev_, thrust,
+                       disturbanceModel(navigation_, body_).force * core::Vector3(1.0, 1.0, disturbanceModel(navigation_, body_).vertical), start);
   if (!report.converged())
     return report;
   live_.overstretch = (ends.vehicle - ends.vessel).norm() > model.length() + 3.0 * first_stddev_ ? 1.0 : 0.0;

@@ -23,14 +23,14 @@ class Search
 {
  public:
   Search(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends, double place_stddev,
-         const core::Vector3& thrust, double force_stddev)
+         const core::Vector3& thrust, const core::Vector3& force_stddev)
     : statics_(statics),
       model_(model),
       body_(*model.bodies().vehicle),
       ends_(ends),
       thrust_(thrust),
       certain_(1.0 / (place_stddev * place_stddev)),
-      known_(1.0 / (force_stddev * force_stddev)),
+      known_(force_stddev.cwiseAbs2().cwiseInverse().asDiagonal()),
       solver_(model.nodes())
   {
   }
@@ -49,7 +49,7 @@ class Search
     {
       const double before = cost_;
       const core::Matrix3 Y = compliance_;
-      const core::Matrix3 H = certain_ * Y.transpose() * Y + known_ * core::Matrix3::Identity();
+      const core::Matrix3 H = certain_ * Y.transpose() * Y + known_;
       core::Vector3 step = -H.ldlt().solve(certain_ * Y.transpose() * off_ + known_ * best_.force);
       bool better = false;
       for (int halving = 0; halving < 4 && !better; ++halving, step *= 0.5)
@@ -96,7 +96,7 @@ class Search
   bool take(const core::Vector3& force, const core::NodeField& shape, const core::SolveReport& report)
   {
     const core::Vector3 off = shape.back().head<3>() - ends_.vehicle;
-    const double cost = certain_ * off.squaredNorm() + known_ * force.squaredNorm();
+    const double cost = certain_ * off.squaredNorm() + force.dot(known_ * force);
     if (!(cost < cost_))
       return false;
     core::CableState state(0.0, shape, ends_.velocity);
@@ -111,7 +111,7 @@ class Search
     compliance_ = K.inverse();
     best_.shape = shape;
     best_.force = force;
-    best_.place = (certain_ * core::Matrix3::Identity() + known_ * K.transpose() * K).inverse();
+    best_.place = (certain_ * core::Matrix3::Identity() + K.transpose() * known_ * K).inverse();
     return true;
   }
 
@@ -120,7 +120,8 @@ class Search
   core::RigidBody body_;
   core::SteadyEnds ends_;
   core::Vector3 thrust_;
-  double certain_, known_;
+  double certain_;
+  core::Matrix3 known_;
   core::EndImpedanceSolver solver_;
   VehicleStart best_;
   double cost_ = std::numeric_limits<double>::infinity();
@@ -132,7 +133,7 @@ class Search
 
 core::SolveReport findVehicleStart(core::Statics& statics, const core::CableModel& model,
                                    const core::SteadyEnds& ends, double place_stddev, const core::Vector3& thrust,
-                                   double force_stddev, VehicleStart& start)
+                                   const core::Vector3& force_stddev, VehicleStart& start)
 {
   Search search(statics, model, ends, place_stddev, thrust, force_stddev);
   search.hang();

@@ -15,9 +15,11 @@ constexpr int CONVINCED = 4;             // so many outliers in a row are the tr
 constexpr double SPEED_DOUBT = 5.0;      // standard deviation of a velocity that nobody knows [m/s]
 constexpr double READY_SPEED = 0.3;      // standard deviation of the velocity to begin with [m/s]
 constexpr double FIRST_LOOK = 10.0;      // [s] of measurements to begin with
-constexpr double FADING = 0.5;           // rate at which a correction fades [1/s]
+constexpr double FADING = .3;           // rate at which a correction fades [1/s]
 constexpr double FIRST_FADING = 8.0;     // so much slower it is at first, ...
 constexpr double FIRST_TIME = 10.0;      // ... less and less within this time [s]
+constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
+constexpr double FASTEST_ERROR = 1.0;    // rate of the errors that fading leaves [1/s]
 constexpr double WAY = 20.0;             // [s] over which a vessel goes straight
 constexpr double LONGEST_GAP = 60.0;     // [s]; after it a filter begins anew
 }  // namespace
@@ -31,7 +33,7 @@ VesselFilter::VesselFilter()
 
 void VesselFilter::clear()
 {
-  filters_ = Filters();
+  filters_ = {AxisFilter(MANOEUVRE), AxisFilter(MANOEUVRE), AxisFilter(TIDE)};
   scatter_ = velocity_scatter_ = std::array<Scatter, 3>();
   log_.clear();
   checkpoints_.clear();
@@ -261,7 +263,7 @@ core::EndPoint VesselFilter::way(double t) const
 double VesselFilter::errorRate(double t) const
 {
   const Motion m = at(t);
-  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)), 0.3, 5.0);
+  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)), 0.3, FASTEST_ERROR);
 }
 
 bool VesselFilter::isSound() const

@@ -25,6 +25,9 @@ class AxisFilter
     double position_stddev = 0.0, velocity_stddev = 0.0, acceleration_stddev = 0.0;  ///< [m, m/s, m/s^2]
   };
 
+  /// @param manoeuvre  standard deviation of the acceleration of the vessel's own way [m/s^2], > 0.
+  explicit AxisFilter(double manoeuvre = 0.02) : manoeuvre_(manoeuvre) {}
+
   void start(double t, double position, double position_stddev, double velocity, double velocity_stddev);
   bool isStarted() const { return started_; }
   double time() const { return time_; }
@@ -43,7 +46,7 @@ class AxisFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, acceleration_square_);
+    a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, acceleration_square_);
   }
 
  private:
@@ -57,6 +60,7 @@ class AxisFilter
   double time_ = 0.0;
   Vector mean_ = Vector::Zero();
   Matrix covariance_ = Matrix::Identity();
+  double manoeuvre_;
   double rate_ = 0.8, height_ = 0.3;
   double velocity_mean_ = 0.0, velocity_square_ = 0.0, acceleration_square_ = 0.0;  // running
 };

@@ -8,12 +8,13 @@ namespace tether_monitor::monitor
 struct DisturbanceModel
 {
   double force = 1000.0;      ///< standard deviation of the force that nobody tells [N], > 0.
+  double vertical = .15;      ///< of both of its upward part: weight is known better than thrust, drag and current [-].
   double force_walk = 10.0;   ///< how it wanders [N/sqrt(s)], > 0.
   double drag = 0.3;          ///< standard deviation of the relative error of the drag areas [-], > 0.
   double drag_walk = 0.003;   ///< how that wanders [1/sqrt(s)], > 0.
-  double reach = 0.03;         ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
-  double first_reach = 0.2;    ///< the same at the start, when the tether's shape is not known yet [m], > 0.
-  double acceleration = 0.01;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
+  double reach = .01;         ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
+  double first_reach = .1;    ///< the same at the start, when the tether's shape is not known yet [m], > 0.
+  double acceleration = .002;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
 };
 
 /**
@@ -86,7 +87,7 @@ class VehicleFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(model_.force, model_.force_walk, model_.drag, model_.drag_walk, model_.reach, model_.first_reach, model_.acceleration, stiffness_, mass_inverse_,
+    a(model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach, model_.first_reach, model_.acceleration, stiffness_, mass_inverse_,
       error_, covariance_, disturbance_, drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_,
       waiting_, unrest_);
   }

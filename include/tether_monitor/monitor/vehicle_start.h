@@ -23,11 +23,11 @@ struct VehicleStart
  * @param ends          with the measured place of the tether's end at the vehicle, and the common velocity.
  * @param place_stddev  of that place [m].
  * @param thrust        that is told [N], world axes.
- * @param force_stddev  of the force that is not [N].
+ * @param force_stddev  of the force that is not, of every axis [N].
  * @param start         out: unchanged unless the report says converged.
  */
 core::SolveReport findVehicleStart(core::Statics& statics, const core::CableModel& model,
                                    const core::SteadyEnds& ends, double place_stddev, const core::Vector3& thrust,
-                                   double force_stddev, VehicleStart& start);
+                                   const core::Vector3& force_stddev, VehicleStart& start);
 
 }  // namespace tether_monitor::monitor
