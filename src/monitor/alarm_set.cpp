@@ -8,6 +8,7 @@ namespace tether_monitor::monitor
 namespace
 {
 const char* const OVER_TENSION = "over_tension";
+constexpr double BAND = 2.0;  // standard deviations to the edge of the band
 }
 
 AlarmSet::AlarmSet(const Config& config)
@@ -43,18 +44,22 @@ void AlarmSet::define(const char* name, Quantity quantity, Side side, Severity s
 bool AlarmSet::update(const TetherEstimate& e)
 {
   bool changed = false;
+  // A warning looks at the upper edge of the band, where there is one.
+  const double stddev = std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev);
+  const double upper = stddev > 0.0 && e.max_tension > 0.0 ? 1.0 + BAND * stddev / e.max_tension : 1.0;
   for (std::size_t i = 0; i < alarms_.size(); ++i)
   {
     double value = TetherEstimate::NONE;
     double s = TetherEstimate::NONE;
+    const double band = alarms_[i].definition().severity == Severity::WARNING ? upper : 1.0;
     switch (quantities_[i])
     {
       case Quantity::WORKING_UTILISATION:
-        value = e.working_utilisation;
+        value = e.working_utilisation * band;
         s = e.working_utilisation_s;
         break;
       case Quantity::BREAKING_UTILISATION:
-        value = e.breaking_utilisation;
+        value = e.breaking_utilisation * band;
         s = e.max_tension_s;
         break;
       case Quantity::LEAST_TENSION:

@@ -10,7 +10,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 1";
+const char* const FORMAT = "tether_monitor state 2";
 
 // What stands before the members of an estimator.
 struct Header
@@ -92,7 +92,8 @@ bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
   TetherEstimator copy = *this;
   first(copy);
   const bool is_sound = first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isSound() &&
-                        copy.vehicle_.isSound() && copy.payout_.isSound() &&
+                        copy.vehicle_.isSound() && copy.payout_.isSound() && copy.vessel_filter_.isSound() &&
+                        copy.observer_.isSound(*model, observer_) &&
                         (!copy.settled_ || (fits(copy.state_, *model) && copy.state_.time == copy.estimate_.time));
   if (!is_sound || (copy.told_depth_ && !copy.setDepth(*copy.told_depth_)))
     return false;

@@ -38,7 +38,10 @@ std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vect
   stepper_.prepareObstacles(model_);
   estimate_.contact.obstacles.assign(now.size(), core::ContactSummary::Touch());
   if (settled_)
+  {
     core::beginContact(model_, state_);
+    observer_.forgetPast(model_, state_);
+  }
   return {};
 }
 

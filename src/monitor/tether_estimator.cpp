@@ -32,10 +32,10 @@ TetherEstimator::TetherEstimator(const Config& config)
     model_(modelOf(config)),
     stepper_(model_, config.solver),
     statics_(model_.nodes()),
+    observer_(config_, model_.nodes()),
     alarms_(config),
     strumming_at_(-std::numeric_limits<double>::infinity()),
     obstacles_at_(std::numeric_limits<double>::quiet_NaN()),
-    observer_(config_, model_.nodes()),
     winch_capacity_(config.winch ? core::WinchDrum(*config.winch, config.tether.diameter).capacity()
                                  : std::numeric_limits<double>::infinity()),
     rejected_at_(-std::numeric_limits<double>::infinity())

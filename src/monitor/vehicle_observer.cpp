@@ -349,9 +349,25 @@ bool VehicleObserver::isOverstretched() const
   return live_.overstretch > STRETCH_LIMIT;
 }
 
-bool VehicleObserver::isSound() const
+bool VehicleObserver::isSound(const core::CableModel& model, const VehicleObserver& original) const
 {
-  return log_.isSound() && steps_.isSound(STEPS) && saved_.isSound(SAVED);
+  if (!log_.isSound() || !live_.filter.isSound() || !steps_.isSound(original.steps_.capacity()) ||
+      !saved_.isSound(original.saved_.capacity()))
+    return false;
+  const auto fits = [&](const core::CableState& state)
+  {
+    const std::size_t nodes = static_cast<std::size_t>(model.nodes());
+    return state.q.size() == nodes && state.v.size() == nodes && state.a.size() == nodes && state.aux.size() == nodes &&
+           state.allFinite() && std::isfinite(state.time);
+  };
+  for (std::size_t i = 0; i < saved_.size(); ++i)
+    if (!fits(saved_[i].state) || !saved_[i].live.filter.isSound() || !(saved_[i].payout.length > 0.0))
+      return false;
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    if (!std::isfinite(steps_[i].from) || !(steps_[i].to > steps_[i].from) ||
+        (i > 0 && steps_[i].from < steps_[i - 1].from))
+      return false;
+  return true;
 }
 
 }  // namespace tether_monitor::monitor

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 
 namespace tether_monitor::params
@@ -36,9 +37,12 @@ std::vector<std::string> split(const std::string& line)
   throw std::runtime_error(path + ", line " + std::to_string(line) + ": " + what);
 }
 
-double parseField(const CsvTable& table, int line, std::size_t column, const std::string& text)
+double parseField(const CsvTable& table, int line, std::size_t column, const std::string& text,
+                  const MayBeEmpty& may_be_empty)
 {
   const std::string name = "column " + table.columns[column];
+  if (text.empty() && may_be_empty && may_be_empty(table.columns[column]))
+    return std::numeric_limits<double>::quiet_NaN();
   if (text.empty())
     fail(table.path, line, name + " is empty");
   char* end = nullptr;
@@ -57,7 +61,7 @@ std::optional<std::size_t> CsvTable::find(const std::string& column) const
   return it == columns.end() ? std::nullopt : std::optional<std::size_t>(it - columns.begin());
 }
 
-CsvTable readCsv(const std::string& path)
+CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty)
 {
   std::ifstream in(path);
   if (!in)
@@ -86,7 +90,7 @@ CsvTable readCsv(const std::string& path)
                std::to_string(table.columns.size()));
     std::vector<double> row(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
-      row[i] = parseField(table, number, i, fields[i]);
+      row[i] = parseField(table, number, i, fields[i], may_be_empty);
     table.rows.push_back(std::move(row));
     table.lines.push_back(number);
   }

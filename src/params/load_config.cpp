@@ -200,7 +200,11 @@ monitor::BodyConfig loadBody(Reader& in)
 
 monitor::BodyConfig loadVessel(Reader in)
 {
-  const monitor::BodyConfig body = loadBody(in);
+  monitor::BodyConfig body = loadBody(in);
+  if (in.has("position_stddev"))
+    body.position_stddev = in.optionalNumber("position_stddev");
+  if (in.has("velocity_stddev"))
+    body.velocity_stddev = in.optionalNumber("velocity_stddev");
   in.finish();
   return body;
 }
@@ -215,25 +219,43 @@ std::optional<core::WinchProperties> loadWinch(Reader in)
   return winch;
 }
 
+monitor::NavigationConfig loadNavigation(Reader& in)
+{
+  monitor::NavigationConfig navigation;
+  navigation.position_stddev = in.number("position_stddev", navigation.position_stddev);
+  navigation.velocity_stddev = in.number("velocity_stddev", navigation.velocity_stddev);
+  navigation.latency = in.number("latency", navigation.latency);
+  if (in.has("force_stddev"))
+    navigation.force_stddev = in.optionalNumber("force_stddev");
+  navigation.drag_stddev = in.number("drag_stddev", navigation.drag_stddev);
+  return navigation;
+}
+
 void loadVehicle(Reader in, monitor::Config& config)
 {
   config.vehicle = loadBody(in);
   const std::string mode = in.text("mode", "tracked");
-  if (mode == "free")
+  const bool is_simulated = mode == "free" || mode == "observed";
+  if (is_simulated)
   {
-    config.vehicle_mode = monitor::VehicleMode::FREE;
+    config.vehicle_mode = mode == "free" ? monitor::VehicleMode::FREE : monitor::VehicleMode::OBSERVED;
     config.vehicle_body = loadRigidBody(in);
   }
-  else if (mode == "tracked")
+  // A file that was written for another mode stays good.
+  if (mode == "observed")
+    config.navigation = loadNavigation(in);
+  else
+    for (const char* key : {"position_stddev", "velocity_stddev", "latency", "force_stddev", "drag_stddev"})
+      in.ignore(key);
+  if (mode == "tracked")
   {
-    // A file that was written for a free vehicle stays good.
     for (const char* key : {"mass", "volume", "inertia", "drag_area", "added_mass", "added_inertia",
                             "rotational_drag", "center_of_buoyancy", "force"})
       in.ignore(key);
   }
-  else
+  else if (!is_simulated)
   {
-    in.report({"vehicle.mode = '" + mode + "' (must be tracked or free)"});
+    in.report({"vehicle.mode = '" + mode + "' (must be tracked, free or observed)"});
   }
   in.finish();
 }
@@ -275,6 +297,8 @@ void loadMonitor(Reader in, monitor::Config& config)
   config.rate = in.number("rate", config.rate);
   config.pose_timeout = in.number("pose_timeout", config.pose_timeout);
   config.invalid_timeout = in.number("invalid_timeout", config.invalid_timeout);
+  config.navigation.degraded_stddev = in.number("degraded_stddev", config.navigation.degraded_stddev);
+  config.navigation.invalid_stddev = in.number("invalid_stddev", config.navigation.invalid_stddev);
   Reader alarms = in.child("alarms");
   loadAlarm(alarms.child("over_tension"), config.alarms.over_tension);
   loadAlarm(alarms.child("breaking"), config.alarms.breaking);

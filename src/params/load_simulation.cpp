@@ -23,6 +23,7 @@ SensorPlan loadSensor(Reader in)
   sensor.dropout = in.number("dropout", sensor.dropout);
   sensor.outlier = in.number("outlier", sensor.outlier);
   sensor.outlier_size = in.number("outlier_size", sensor.outlier_size);
+  sensor.outlier_least = in.number("outlier_least", sensor.outlier_size);
   sensor.latency = in.number("latency", sensor.latency);
   const core::Vector3 gap = in.pair("gap", core::Vector3::Zero());
   sensor.gap_from = gap.x();
@@ -58,6 +59,10 @@ void loadVessel(Reader in, SimulationConfig& config)
   plan.acceptance = in.number("acceptance", plan.acceptance);
   plan.waypoints = loadWaypoints(in, true);
   config.vessel_sensor = loadSensor(in.child("sensor"));
+  Reader heave = in.child("heave_sensor");
+  config.heave.rate = heave.number("rate", config.heave.rate);
+  config.heave.stddev = heave.number("stddev", config.heave.stddev);
+  heave.finish();
   in.finish();
 }
 

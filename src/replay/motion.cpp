@@ -51,6 +51,15 @@ class Columns
     return column;
   }
 
+  // Columns with these beginnings are not ours.
+  void leaveToOthers(const std::vector<std::string>& beginnings)
+  {
+    for (const std::string& column : table_.columns)
+      for (const std::string& beginning : beginnings)
+        if (column.rfind(beginning, 0) == 0)
+          wanted_.insert(column);
+  }
+
   void finish() const
   {
     for (const std::string& column : table_.columns)
@@ -97,7 +106,7 @@ void refuseVehicle(const params::CsvTable& table)
 }
 }  // namespace
 
-Motion::Motion(const params::CsvTable& table, bool free_vehicle)
+Motion::Motion(const params::CsvTable& table, monitor::VehicleMode mode)
 {
   Columns in(table);
   t_ = in.scalar("t");
@@ -107,10 +116,13 @@ Motion::Motion(const params::CsvTable& table, bool free_vehicle)
     if (!(t_[i] > t_[i - 1]))
       throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) +
                                ": t does not increase from the row before");
-  vessel_ = readBody(table, "vessel", t_, in);
-  if (!free_vehicle)
-    vehicle_ = readBody(table, "vehicle", t_, in);
+  if (mode == monitor::VehicleMode::OBSERVED)
+    in.leaveToOthers({"vessel_", "vehicle_"});
   else
+    vessel_ = readBody(table, "vessel", t_, in);
+  if (mode == monitor::VehicleMode::TRACKED)
+    vehicle_ = readBody(table, "vehicle", t_, in);
+  if (mode == monitor::VehicleMode::FREE)
     refuseVehicle(table);
   if (in.has("payout", {""}))
     for (const double length : in.scalar("payout"))
@@ -123,7 +135,7 @@ Motion::Motion(const params::CsvTable& table, bool free_vehicle)
     }
   if (hasPayout())
     payout_.velocity = splineVelocities(t_, payout_.position);
-  if (free_vehicle && in.has("thrust_", XYZ))
+  if (mode != monitor::VehicleMode::TRACKED && in.has("thrust_", XYZ))
     thrust_ = in.vector("thrust_");
   if (in.has("current_", XYZ))
     current_ = in.vector("current_");

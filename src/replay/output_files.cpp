@@ -78,6 +78,9 @@ const char* header(VehicleColumns vehicle)
       return ",vehicle_x,vehicle_y,vehicle_z";
     case VehicleColumns::POSE:
       return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw";
+    case VehicleColumns::OBSERVED:
+      return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw,vessel_tension_stddev,"
+             "vehicle_tension_stddev,vehicle_position_stddev";
     case VehicleColumns::NONE:
       break;
   }
@@ -111,13 +114,15 @@ void EndsFile::write(const TetherEstimate& e)
                                   : core::Vector3::Constant(NONE);
     csv_.number(way.x()).number(way.y()).number(way.z());
   }
-  if (vehicle_ == VehicleColumns::POSE)
+  if (vehicle_ == VehicleColumns::POSE || vehicle_ == VehicleColumns::OBSERVED)
   {
     for (int i = 0; i < 3; ++i)
       csv_.number(e.has_vehicle ? e.vehicle.position[i] : NONE);
     for (int i = 0; i < 4; ++i)
       csv_.number(e.has_vehicle ? e.vehicle.orientation.coeffs()[i] : NONE);
   }
+  if (vehicle_ == VehicleColumns::OBSERVED)
+    csv_.number(e.vessel_tension_stddev).number(e.vehicle_tension_stddev).number(e.vehicle_position_stddev);
   csv_.endRow();
 }
 

@@ -26,20 +26,33 @@ std::vector<double> outputTimes(const Motion& motion, double rate)
     times.push_back(std::min(motion.begin() + i / rate, motion.end()));
   return times;
 }
-}  // namespace
 
-void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
-                  Recorder& recorder)
+// Gives a row to the estimator; what it refuses shows in the status.
+void take(const MeasurementRow& row, monitor::TetherEstimator& estimator)
+{
+  using monitor::Rejection;
+  const auto note = [&](Rejection rejection)
+  {
+    if (rejection != Rejection::NONE)
+      estimator.noteRejectedInput(row.t);
+  };
+  if (row.vessel)
+    note(estimator.addVessel(*row.vessel));
+  if (row.vessel_rates)
+    note(estimator.addVessel(*row.vessel_rates));
+  if (row.vehicle)
+    note(estimator.addVehicle(*row.vehicle));
+  if (row.vehicle_rates)
+    note(estimator.addVehicle(*row.vehicle_rates));
+}
+
+// Calls visit(t) at every step and write() at every output: between outputs equal parts of at most `step`.
+template <typename Visit>
+void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator, Recorder& recorder,
+         const Visit& visit)
 {
   const std::vector<double> times = outputTimes(motion, options.rate);
   const double step = estimator.config().solver.step;
-  const auto inputs = [&](double t)
-  {
-    if (motion.hasCurrent())
-      estimator.setCurrent(core::CurrentProfile(motion.current(t)));
-    if (motion.hasThrust())
-      estimator.setThrust(t, {motion.thrust(t), core::Vector3::Zero()});
-  };
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const double from = i == 0 ? times[0] : times[i - 1];
@@ -47,12 +60,12 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
     for (int k = 1; k <= parts; ++k)
     {
       const double t = k == parts ? times[i] : from + k * (times[i] - from) / parts;
-      inputs(t);
+      if (motion.hasCurrent())
+        estimator.setCurrent(core::CurrentProfile(motion.current(t)));
+      if (motion.hasThrust())
+        estimator.setThrust(t, {motion.thrust(t), core::Vector3::Zero()});
       recorder.beginStep();
-      if (i == 0)
-        estimator.begin(t, targets(motion, estimator.config(), t));
-      else
-        estimator.advance(t, targets(motion, estimator.config(), t));
+      visit(t, i == 0);
       recorder.endStep();
       recorder.observe(estimator);
     }
@@ -60,6 +73,42 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
     if (options.progress)
       options.progress((i + 1.0) / times.size());
   }
+}
+}  // namespace
+
+void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
+                  Recorder& recorder)
+{
+  run(motion, options, estimator, recorder,
+      [&](double t, bool is_first)
+      {
+        const monitor::EndTargets ends = targets(motion, estimator.config(), t);
+        is_first ? estimator.begin(t, ends) : estimator.advance(t, ends);
+      });
+}
+
+void replayMeasurements(const Measurements& measurements, const Motion& motion, const ReplayOptions& options,
+                        monitor::TetherEstimator& estimator, Recorder& recorder)
+{
+  const auto& rows = measurements.rows();
+  std::size_t next = 0;
+  bool has_begun = false;
+  estimator.tellVesselMotion(rows.front().t, measurements.vesselAtFirstRow());
+  run(motion, options, estimator, recorder,
+      [&](double t, bool)
+      {
+        for (; next < rows.size() && rows[next].t <= t; ++next)
+          take(rows[next], estimator);
+        if (motion.hasPayout())
+          estimator.addPayout(t, motion.payout(t).length, motion.payout(t).rate);
+        if (has_begun || !estimator.observer().hasPosition())
+        {
+          estimator.tick(t);
+          return;
+        }
+        has_begun = true;
+        estimator.beginFromTracks(t);
+      });
 }
 
 }  // namespace tether_monitor::replay

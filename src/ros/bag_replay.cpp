@@ -40,6 +40,8 @@ struct Input
   bool is_pose;
   std::string topic;
   std::function<std::string(MeasurementIntake&)> take;
+
+  ros::Time arrival() const { return std::max(stamp, recorded); }
 };
 
 struct Recording
@@ -225,6 +227,14 @@ void readBag(const std::string& path, const std::string& ns, bool free_vehicle, 
                      [](const Input& a, const Input& b) { return a.stamp < b.stamp; });
 }
 
+// As the messages came in, late ones late.
+void sortByArrival(Recording& recording)
+{
+  for (std::vector<Input>& stream : recording.inputs)
+    std::stable_sort(stream.begin(), stream.end(),
+                     [](const Input& a, const Input& b) { return a.arrival() < b.arrival(); });
+}
+
 void takeNext(Recording& recording, Stream stream, MeasurementIntake& intake)
 {
   const Input& input = recording.inputs[stream][recording.next[stream]++];
@@ -248,7 +258,15 @@ void takeUntil(double t, const TimeBase& base, const monitor::TetherEstimator& e
   for (int stream = 0; stream < STREAMS; ++stream)
     while (recording.next[stream] < recording.inputs[stream].size())
     {
-      const double stamp = base.seconds(recording.inputs[stream][recording.next[stream]].stamp);
+      const Input& input = recording.inputs[stream][recording.next[stream]];
+      if (estimator.isVehicleObserved())
+      {
+        if (base.seconds(input.arrival()) > t)
+          break;
+        takeNext(recording, static_cast<Stream>(stream), intake);
+        continue;
+      }
+      const double stamp = base.seconds(input.stamp);
       if (stamp > t && (covered(stream) || stamp > t + estimator.config().pose_timeout))
         break;
       takeNext(recording, static_cast<Stream>(stream), intake);
@@ -284,8 +302,10 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
                                    replay::Recorder& recorder)
 {
   Recording recording;
-  const bool free_vehicle = estimator.isVehicleFree();
+  const bool free_vehicle = estimator.isVehicleFree(), observed = estimator.isVehicleObserved();
   readBag(path, ns, free_vehicle, recording);
+  if (observed)
+    sortByArrival(recording);
   const double tolerance = estimator.config().pose_timeout;
   const auto vessel = poseSpan(recording, VESSEL_STREAM, tolerance);
   const auto vehicle = poseSpan(recording, VEHICLE_STREAM, tolerance);
@@ -295,11 +315,11 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   estimator.setEpoch(base.epoch());
 
   // Start when both bodies are known.
-  for (const Stream body : bodiesNeeded(free_vehicle))
+  for (const Stream body : observed ? std::vector<Stream>() : bodiesNeeded(free_vehicle))
     while (recording.next[body] < recording.inputs[body].size() &&
-           !(body == VESSEL_STREAM ? estimator.vessel() : estimator.vehicle()).hasPose())
+           !(body == VESSEL_STREAM ? estimator.vesselTrack() : estimator.vehicleTrack()).hasPose())
       takeNext(recording, body, intake);
-  if (!estimator.vessel().hasPose() || !(free_vehicle || estimator.vehicle().hasPose()))
+  if (!observed && (!estimator.vesselTrack().hasPose() || !(free_vehicle || estimator.vehicleTrack().hasPose())))
   {
     std::string text = "the bag " + path + ": every pose of a body was refused";
     for (const std::string& warning : warningsOf(recording))
@@ -308,7 +328,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   }
 
   // The model follows the motion at the monitor's rate or finer, whatever the rate of the output.
-  const double begin = std::max(estimator.vessel().lastPoseTime(), estimator.vehicle().lastPoseTime());
+  const double begin = observed ? base.seconds(std::max(vessel.first, vehicle.first))
+                                : std::max(estimator.vesselTrack().lastPoseTime(), estimator.vehicleTrack().lastPoseTime());
   const double end = std::max(begin, base.seconds(std::max(vessel.second, vehicle.second)));
   const double rate = options.rate > 0.0 ? options.rate : DEFAULT_RATE;
   const double longest = std::min(estimator.config().solver.step, 1.0 / estimator.config().rate);
@@ -321,7 +342,7 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
       const double t = begin + (i - 1 + static_cast<double>(part) / parts) / rate;
       takeUntil(t, base, estimator, recording, intake);
       recorder.beginStep();
-      if (i == 0)
+      if (i == 0 && !observed)
         estimator.beginFromTracks(t);
       else
         estimator.tick(t);

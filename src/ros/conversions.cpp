@@ -78,6 +78,9 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
       vectorMessage(n > 0 ? core::Vector3(at.position[n - 1] - at.position[0]) : core::Vector3::Constant(NONE));
   out.vessel_tension = e.vessel_tension;
   out.vehicle_tension = e.vehicle_tension;
+  out.vessel_tension_stddev = e.vessel_tension_stddev;
+  out.vehicle_tension_stddev = e.vehicle_tension_stddev;
+  out.vehicle_position_stddev = e.vehicle_position_stddev;
   out.max_tension = e.max_tension;
   out.max_tension_s = e.max_tension_s;
   out.working_utilisation = e.working_utilisation;
@@ -158,6 +161,12 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::str
   const Eigen::Quaterniond to_body = e.vehicle.orientation.conjugate();
   message.twist.twist.linear = vectorMessage(to_body * e.vehicle.velocity);
   message.twist.twist.angular = vectorMessage(to_body * e.vehicle.angular_velocity);
+  if (std::isfinite(e.vehicle_position_stddev))
+    for (int i = 0; i < 3; ++i)
+    {
+      message.pose.covariance[7 * i] = e.vehicle_position_stddev * e.vehicle_position_stddev;
+      message.twist.covariance[7 * i] = e.vehicle_velocity_stddev * e.vehicle_velocity_stddev;
+    }
   return message;
 }
 

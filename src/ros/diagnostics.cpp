@@ -37,11 +37,42 @@ std::string advice(monitor::Reason reason)
              "or the tether is parting.";
     case Reason::MESH_COARSE:
       return "A bend is tighter than the elements resolve: tension near it is rough. Raise tether.elements.";
+    case Reason::DISAGREEMENT:
+      return "Measured positions, deployed length and what is known of the vehicle contradict each other: look at the "
+             "innovations below, and check positioning, length and the vehicle's parameters.";
+    case Reason::UNCERTAIN:
+      return "The tension is known too roughly (see its standard deviation): positions of the vehicle are missing or "
+             "poor.";
     case Reason::CLOCK_JUMP:
       return "Time ran backwards (a looping bag?) or leapt ahead; the monitor starts anew.";
   }
   return "";
 }
+
+namespace
+{
+void diagnoseObserver(const monitor::TetherEstimator& estimator, diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const monitor::TetherEstimate& e = estimator.estimate();
+  const monitor::InnovationReport& innovations = estimator.observer().innovations();
+  if (estimator.observer().isOverstretched())
+    status.add("Reach", "The measured ends are farther apart than the tether is long: deployed length, positions or "
+                        "both are wrong.");
+  status.add("Standard deviation of the vessel tension [N]", e.vessel_tension_stddev);
+  status.add("Standard deviation of the vehicle tension [N]", e.vehicle_tension_stddev);
+  status.add("Standard deviation of the vehicle position [m]", e.vehicle_position_stddev);
+  status.addf("Disturbance force on the vehicle [N]", "%.0f %.0f %.0f, standard deviation %.0f", e.disturbance.x(),
+              e.disturbance.y(), e.disturbance.z(), e.disturbance_stddev);
+  status.addf("Of it, drag areas off by", "%.0f %%", 100.0 * estimator.observer().filter().dragError());
+  status.add("Innovation, last [m]", innovations.last);
+  status.add("Innovations over their expected size [-]", innovations.scatter);
+  status.add("Bias of the innovations over chance [-]", innovations.bias);
+  status.addf("Measurements of the vehicle", "%ld believed, %ld refused as outliers, %ld re-acquired",
+              innovations.accepted, innovations.refused, innovations.reacquired);
+  status.add("Steps made again for late measurements", estimator.observer().repeatedSteps());
+  status.add("Outliers of the vessel's motion", estimator.vesselFilter().outliers());
+}
+}  // namespace
 
 void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& facts,
               diagnostic_updater::DiagnosticStatusWrapper& status)
@@ -61,6 +92,8 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
                           describeForPerson(alarm));
   if (e.reason != monitor::Reason::NONE)
     status.add("Likely cause and advice", advice(e.reason));
+  if (estimator.isVehicleObserved())
+    diagnoseObserver(estimator, status);
   status.add("Largest tension [N]", e.max_tension);
   status.add("Share of the working load [-]", e.working_utilisation);
   status.add("Age of the vessel pose [s]", e.vessel_age);

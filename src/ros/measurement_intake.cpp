@@ -13,10 +13,35 @@ MeasurementIntake::MeasurementIntake(monitor::TetherEstimator& estimator, const 
 {
 }
 
-monitor::BodyTrack& MeasurementIntake::track(BodyName body)
+const monitor::BodyTrack& MeasurementIntake::track(BodyName body) const
 {
-  return body == BodyName::VESSEL ? estimator_.vessel() : estimator_.vehicle();
+  return body == BodyName::VESSEL ? estimator_.vesselTrack() : estimator_.vehicleTrack();
 }
+
+template <typename Measurement>
+std::string MeasurementIntake::add(BodyName body, const Measurement& measurement)
+{
+  const monitor::Rejection rejection =
+      body == BodyName::VESSEL ? estimator_.addVessel(measurement) : estimator_.addVehicle(measurement);
+  return rejection == monitor::Rejection::NONE ? "" : describe(rejection);
+}
+
+namespace
+{
+// Standard deviations of three rows of a covariance, turned to other axes; NaN where the message tells none (zero, as
+// ROS has it, or -1).
+core::Vector3 stddevs(const boost::array<double, 36>& covariance, int first, const core::Matrix3& turn)
+{
+  core::Matrix3 block;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      block(row, column) = covariance[6 * (first + row) + first + column];
+  if (!(block.diagonal().minCoeff() > 0.0))
+    return core::Vector3::Constant(monitor::PoseMeasurement::UNTOLD);
+  const core::Matrix3 turned = turn * block * turn.transpose();
+  return turned.diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+}  // namespace
 
 const monitor::BodyConfig& MeasurementIntake::config(BodyName body) const
 {
@@ -78,19 +103,28 @@ std::string MeasurementIntake::transformToWorld(const std_msgs::Header& header, 
 
 std::string MeasurementIntake::take(BodyName body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
 {
+  return refused(takePose(body, message, nullptr, now), now);
+}
+
+std::string MeasurementIntake::takePose(BodyName body, const geometry_msgs::PoseStamped& message,
+                                        const Covariance* covariance, const ros::Time& now)
+{
   std::string why = stampProblem(message.header, now);
   Eigen::Isometry3d to_world;
   if (why.empty())
     why = transformToWorld(message.header, to_world);
-  if (why.empty())
+  if (!why.empty())
+    return why;
+  monitor::PoseMeasurement pose;
+  pose.t = time_.seconds(message.header.stamp);
+  pose.position = to_world * vector(message.pose.position);
+  pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation);
+  if (covariance)
   {
-    const monitor::Rejection rejection =
-        track(body).addPose(time_.seconds(message.header.stamp), to_world * vector(message.pose.position),
-                            Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation));
-    if (rejection != monitor::Rejection::NONE)
-      why = describe(rejection);
+    pose.position_stddev = stddevs(*covariance, 0, to_world.rotation());
+    pose.orientation_stddev = stddevs(*covariance, 3, to_world.rotation()).maxCoeff();
   }
-  return refused(why, now);
+  return add(body, pose);
 }
 
 std::string MeasurementIntake::take(BodyName body, const geometry_msgs::TwistStamped& message,
@@ -111,11 +145,11 @@ std::string MeasurementIntake::take(BodyName body, const geometry_msgs::TwistSta
   }
   if (why.empty())
   {
-    const monitor::Rejection rejection =
-        track(body).addRates(time_.seconds(message.header.stamp), to_world.linear() * vector(message.twist.linear),
-                             to_world.linear() * vector(message.twist.angular));
-    if (rejection != monitor::Rejection::NONE)
-      why = describe(rejection);
+    monitor::RatesMeasurement rates;
+    rates.t = time_.seconds(message.header.stamp);
+    rates.velocity = to_world.linear() * vector(message.twist.linear);
+    rates.angular_velocity = to_world.linear() * vector(message.twist.angular);
+    why = add(body, rates);
   }
   return refused(why, now);
 }
@@ -128,13 +162,19 @@ std::string MeasurementIntake::take(BodyName body, const nav_msgs::Odometry& mes
   geometry_msgs::PoseStamped pose;
   pose.header = message.header;
   pose.pose = message.pose.pose;
-  std::string why = take(body, pose, now);
+  const std::string why = takePose(body, pose, &message.pose.covariance, now);
   if (!why.empty())
-    return why;
+    return refused(why, now);
   const Eigen::Quaterniond to_world = track(body).lastOrientation();
-  const monitor::Rejection rejection = track(body).addRates(
-      time_.seconds(message.header.stamp), to_world * vector(twist.linear), to_world * vector(twist.angular));
-  return refused(rejection == monitor::Rejection::NONE ? "" : describe(rejection), now);
+  monitor::RatesMeasurement rates;
+  rates.t = time_.seconds(message.header.stamp);
+  rates.velocity = to_world * vector(twist.linear);
+  rates.angular_velocity = to_world * vector(twist.angular);
+  rates.velocity_stddev = stddevs(message.twist.covariance, 0, to_world.toRotationMatrix());
+  // A twist that says that it was not measured.
+  if (rates.velocity_stddev.minCoeff() > monitor::VesselFilter::UNMEASURED)
+    return "";
+  return refused(add(body, rates), now);
 }
 
 std::string MeasurementIntake::takeLength(double t, double length, double rate)
@@ -177,8 +217,8 @@ std::string MeasurementIntake::take(const geometry_msgs::WrenchStamped& message,
   std::string why = stampProblem(message.header, now);
   const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
   const std::string& frame = estimator_.config().vehicle.frame;
-  if (why.empty() && !estimator_.isVehicleFree())
-    why = "thrust on a vehicle that is not simulated (vehicle.mode is not free)";
+  if (why.empty() && !estimator_.isVehicleSimulated())
+    why = "thrust on a vehicle that is not simulated (vehicle.mode is tracked)";
   else if (why.empty() && message.header.frame_id != frame && !message.header.frame_id.empty())
     why = "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
   else if (why.empty() && !(thrust.force.allFinite() && thrust.torque.allFinite()))

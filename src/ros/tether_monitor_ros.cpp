@@ -38,7 +38,7 @@ TetherMonitorRos::TetherMonitorRos(const ros::NodeHandle& nh, const ros::NodeHan
   alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
   markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
   contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
-  if (estimator_.isVehicleFree())
+  if (estimator_.isVehicleSimulated())
     vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
   reset_server_ = private_nh_.advertiseService("reset", &TetherMonitorRos::reset, this);
   acknowledge_server_ = private_nh_.advertiseService("acknowledge", &TetherMonitorRos::acknowledge, this);

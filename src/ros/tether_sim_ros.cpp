@@ -8,6 +8,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/load_simulation.h"
@@ -19,6 +20,7 @@ namespace tether_monitor
 namespace
 {
 constexpr int QUEUE = 20;
+constexpr double NOT_MEASURED = 1e6;     // variance
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
 
 visualization_msgs::Marker box(const std_msgs::Header& header, int id, const monitor::BodyState& body,
@@ -61,9 +63,12 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
     vehicle_sensor_(plan_.vehicle_sensor, plan_.seed + 1),
     generator_(plan_.seed + 2)
 {
-  vessel_pose_ = nh_.advertise<geometry_msgs::PoseStamped>("vessel/pose", QUEUE);
+  if (plan_.heave.rate > 0.0)
+    vessel_odometry_ = nh_.advertise<nav_msgs::Odometry>("vessel/odom", QUEUE);
+  else
+    vessel_pose_ = nh_.advertise<geometry_msgs::PoseStamped>("vessel/pose", QUEUE);
   vehicle_pose_ = nh_.advertise<geometry_msgs::PoseStamped>("vehicle/pose", QUEUE);
-  if (plan_.vessel_sensor.velocity)
+  if (plan_.vessel_sensor.velocity && !vessel_odometry_)
     vessel_velocity_ = nh_.advertise<geometry_msgs::TwistStamped>("vessel/velocity", QUEUE);
   if (plan_.vehicle_sensor.velocity)
     vehicle_velocity_ = nh_.advertise<geometry_msgs::TwistStamped>("vehicle/velocity", QUEUE);
@@ -71,7 +76,7 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
     payout_ = nh_.advertise<Payout>("payout", QUEUE);
   if (plan_.publish_obstacles)
     obstacles_ = nh_.advertise<ObstacleArray>("obstacles", QUEUE);
-  if (config_.vehicle_mode == monitor::VehicleMode::FREE)
+  if (config_.vehicle_mode != monitor::VehicleMode::TRACKED)
     thrust_ = nh_.advertise<geometry_msgs::WrenchStamped>("vehicle/thrust", QUEUE);
   vessel_force_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", QUEUE);
   vehicle_force_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vehicle_end/force", QUEUE);
@@ -138,7 +143,8 @@ void TetherSimRos::tick()
 void TetherSimRos::publishMeasurements(double t)
 {
   for (const simulation::Measurement& m : vessel_sensor_.look(t, simulator_.vessel()))
-    publishBody(m, vessel_pose_, vessel_velocity_);
+    vessel_odometry_ ? publishOdometry(m) : publishBody(m, vessel_pose_, vessel_velocity_);
+  publishHeave(t);
   for (const simulation::Measurement& m : vehicle_sensor_.look(t, simulator_.vehicle()))
     publishBody(m, vehicle_pose_, vehicle_velocity_);
   publishWinch(t);
@@ -172,6 +178,52 @@ void TetherSimRos::publishBody(const simulation::Measurement& m, const ros::Publ
     velocity.publish(v);
   }
   pose.publish(p);
+}
+
+// The position with its covariance; what is not measured has a variance that nobody could use.
+void TetherSimRos::publishOdometry(const simulation::Measurement& m)
+{
+  nav_msgs::Odometry message;
+  message.header.stamp = stamp(m.time);
+  message.header.frame_id = config_.world_frame;
+  message.child_frame_id = config_.vessel.frame;
+  message.pose.pose.position = pointMessage(m.body.position);
+  message.pose.pose.orientation = quaternionMessage(m.body.orientation);
+  const Eigen::Quaterniond to_body = m.body.orientation.conjugate();
+  message.twist.twist.linear = vectorMessage(to_body * m.body.velocity);
+  message.twist.twist.angular = vectorMessage(to_body * m.body.angular_velocity);
+  for (int i = 0; i < 3; ++i)
+  {
+    message.pose.covariance[7 * i] = std::pow(std::max(plan_.vessel_sensor.position_stddev, 1e-3), 2);
+    message.pose.covariance[7 * (i + 3)] = std::pow(std::max(plan_.vessel_sensor.orientation_stddev, 1e-4), 2);
+    message.twist.covariance[7 * i] =
+        m.has_velocity ? std::pow(std::max(plan_.vessel_sensor.velocity_stddev, 1e-3), 2) : NOT_MEASURED;
+    message.twist.covariance[7 * (i + 3)] = message.twist.covariance[7 * i];
+  }
+  vessel_odometry_.publish(message);
+}
+
+// The height alone, from the motion sensor, with the attitude of the moment.
+void TetherSimRos::publishHeave(double t)
+{
+  if (!vessel_odometry_ || t < next_heave_ - 1e-9)
+    return;
+  next_heave_ = std::max(next_heave_ + 1.0 / plan_.heave.rate, t);
+  std::normal_distribution<double> noise;
+  const monitor::BodyState vessel = simulator_.vessel();
+  nav_msgs::Odometry message;
+  message.header.stamp = stamp(t);
+  message.header.frame_id = config_.world_frame;
+  message.child_frame_id = config_.vessel.frame;
+  message.pose.pose.position.z = vessel.position.z() + plan_.heave.stddev * noise(generator_);
+  message.pose.pose.orientation = quaternionMessage(vessel.orientation);
+  for (int i = 0; i < 3; ++i)
+  {
+    message.pose.covariance[7 * i] = i < 2 ? NOT_MEASURED : std::pow(std::max(plan_.heave.stddev, 1e-3), 2);
+    message.pose.covariance[7 * (i + 3)] = 1e-8;
+    message.twist.covariance[7 * i] = message.twist.covariance[7 * (i + 3)] = NOT_MEASURED;
+  }
+  vessel_odometry_.publish(message);
 }
 
 void TetherSimRos::publishWinch(double t)

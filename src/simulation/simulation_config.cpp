@@ -20,6 +20,8 @@ void checkSensor(const std::string& prefix, const SensorPlan& sensor, std::vecto
   check.within("dropout", sensor.dropout, 0.0, 1.0, "[-]");
   check.within("outlier", sensor.outlier, 0.0, 1.0, "[-]");
   check.notNegative("outlier_size", sensor.outlier_size, "m");
+  check.require(sensor.outlier_least >= 0.0 && sensor.outlier_least <= sensor.outlier_size, "outlier_least",
+                sensor.outlier_least, ">= 0 and <= outlier_size, in m");
   check.notNegative("latency", sensor.latency, "s");
   check.require(sensor.gap_to >= sensor.gap_from, "gap[1]", sensor.gap_to, ">= gap[0], in s");
   all.insert(all.end(), check.problems().begin(), check.problems().end());
@@ -50,6 +52,8 @@ std::vector<std::string> problems(const SimulationConfig& c)
   checkSensor("simulation.vessel.sensor.", c.vessel_sensor, all);
   checkSensor("simulation.vehicle.sensor.", c.vehicle_sensor, all);
   core::BoundsCheck check("simulation.");
+  check.within("vessel.heave_sensor.rate", c.heave.rate, 0.0, 1000.0, "Hz");
+  check.notNegative("vessel.heave_sensor.stddev", c.heave.stddev, "m");
   check.notNegative("vessel.speed", c.vessel.speed, "m/s");
   check.finite("vessel.heading", c.vessel.heading, "rad");
   check.finite("vessel.start (norm)", c.vessel.start.norm(), "m");

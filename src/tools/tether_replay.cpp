@@ -33,6 +33,8 @@ void showProgress(double share)
 tether_monitor::replay::VehicleColumns recordedVehicle(const tether_monitor::monitor::TetherEstimator& estimator)
 {
   using tether_monitor::replay::VehicleColumns;
+  if (estimator.isVehicleObserved())
+    return VehicleColumns::OBSERVED;
   return estimator.isVehicleFree() ? VehicleColumns::POSE : VehicleColumns::NONE;
 }
 
@@ -47,9 +49,18 @@ void replay(const Arguments& arguments)
 
   if (!arguments.motion.empty())
   {
-    const replay::Motion motion(params::readCsv(arguments.motion), estimator.isVehicleFree());
+    const bool is_observed = estimator.isVehicleObserved();
+    const params::CsvTable table =
+        params::readCsv(arguments.motion, is_observed ? params::MayBeEmpty(replay::mayBeEmpty) : nullptr);
+    const replay::Motion motion(table, estimator.config().vehicle_mode);
+    std::optional<replay::Measurements> measurements;
+    if (is_observed)
+      measurements.emplace(table);
     replay::Recorder recorder(arguments.out, arguments.shape_rate, recordedVehicle(estimator));
-    replay::replayMotion(motion, options, estimator, recorder);
+    if (measurements)
+      replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
+    else
+      replay::replayMotion(motion, options, estimator, recorder);
     recorder.finish(estimator);
   }
   else

@@ -25,7 +25,7 @@ def size(wrench):
 class SimScenarios(unittest.TestCase):
     """Each test runs simulation and monitor in a namespace of its own, ten times as fast as real time."""
 
-    def run_scenario(self, scenario, simulated, change=lambda tree: None):
+    def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0):
         with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
             tree = yaml.safe_load(text)
         tree["simulation"].update(clock=True, speed=10.0)
@@ -69,7 +69,7 @@ class SimScenarios(unittest.TestCase):
             subscriber.unregister()
         self.assertEqual(alive, [True, True], "a node ended early")
         with lock:
-            settled = [s for s in states if s.header.stamp.to_sec() > 5.0]
+            settled = [s for s in states if s.header.stamp.to_sec() > after]
             words = [WORDS[s.status] for s in settled]
             pairs = [(s, truth[s.header.stamp]) for s in settled
                      if s.header.stamp in truth and s.status != TetherState.STATUS_INVALID]
@@ -102,6 +102,13 @@ class SimScenarios(unittest.TestCase):
         states, _, _ = self.run_scenario("payout_and_recovery", 90.0)
         self.assertAlmostEqual(max(s.payout_rate for s in states), 1.0, delta=0.02)
         self.assertGreater(states[-1].length, 240.0)
+
+    def test_acoustic_navigation(self):
+        # Positions with 0.3 m of noise once a second, and a drag that is 20 % off: the bound is that of the others.
+        states, _, diagnostics = self.run_scenario("acoustic_navigation", 150.0, after=60.0)
+        self.assertTrue(all(0.0 < s.vessel_tension_stddev < 0.1 * s.vessel_tension for s in states))
+        values = {v.key: v.value for d in diagnostics for s in d.status for v in s.values}
+        self.assertIn("Disturbance force on the vehicle [N]", values)
 
     def test_a_free_vehicle_is_followed_by_its_thrust(self):
         # A free vehicle starts from the steady state of the moment: the straight part of a tow is one.

@@ -82,6 +82,8 @@ class VehicleFilter
   core::Vector3 forceStddev() const;
   /// Standard deviation of a tension [N], of the filter's own uncertainty.
   double tensionStddev(const TensionSlope& slope) const;
+  /// False for what no measurements can have made: for states that come from outside.
+  bool isSound() const { return error_.allFinite() && covariance_.allFinite() && mass_inverse_.allFinite(); }
   const EndStiffness& stiffness() const { return stiffness_; }
 
   template <class Archive>

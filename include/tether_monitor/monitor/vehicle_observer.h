@@ -35,6 +35,8 @@ class VehicleObserver
   /// Where the vehicle most probably is at time t [s] by the measurements alone, if it moves with `velocity`; none
   /// without measurements. findStart() trusts it as far as it is recent.
   std::optional<core::Vector3> firstPosition(double t, const core::Vector3& velocity);
+  /// True if any position has been measured.
+  bool hasPosition() const { return newest_ > -std::numeric_limits<double>::infinity(); }
   /// True if there are measurements enough to begin at time t [s].
   bool isReady(double t) const;
 
@@ -81,7 +83,8 @@ class VehicleObserver
   const VehicleFilter& filter() const { return live_.filter; }
   /// Steps that were made again for late measurements.
   long repeatedSteps() const { return repeated_; }
-  bool isSound() const;
+  /// See BodyTrack::isSound(). @param original  the observer before it was overwritten.
+  bool isSound(const core::CableModel& model, const VehicleObserver& original) const;
 
   template <class Archive>
   void archive(Archive& a)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,13 +20,17 @@ struct CsvTable
   std::optional<std::size_t> find(const std::string& column) const;
 };
 
+/// Whether the fields of a column, told by its name, may be empty.
+using MayBeEmpty = std::function<bool(const std::string&)>;
+
 /**
  * Reads a CSV file: the first line that is neither empty nor a comment (#) names the columns, the others hold
  * numbers.
  *
+ * @param may_be_empty  names the columns whose fields may be empty (NaN then); null: none.
  * @throws std::runtime_error naming file and line: unreadable or empty file, duplicate column, wrong number of
  * fields, a field that is empty, not a number, or not finite.
  */
-CsvTable readCsv(const std::string& path);
+CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty = nullptr);
 
 }  // namespace tether_monitor::params

@@ -6,6 +6,7 @@
 
 #include "tether_monitor/core/payout_path.h"
 #include "tether_monitor/monitor/body_track.h"
+#include "tether_monitor/monitor/config.h"
 #include "tether_monitor/params/csv_table.h"
 
 namespace tether_monitor::replay
@@ -24,11 +25,12 @@ class Motion
  public:
   /**
    * @param table  columns as INTERFACES names them: t, vessel_x..z, vehicle_x..z, and the optional ones.
-   * @param free_vehicle  the vehicle is simulated: columns of its motion are an error, thrust_x..z are known.
+   * @param mode   FREE: columns of the vehicle's motion are an error, thrust_x..z are known. OBSERVED: those of both
+   * bodies are Measurements and not looked at here.
    * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not
    * increase, no row, a quaternion that is not of unit length.
    */
-  explicit Motion(const params::CsvTable& table, bool free_vehicle = false);
+  explicit Motion(const params::CsvTable& table, monitor::VehicleMode mode = monitor::VehicleMode::TRACKED);
 
   const std::vector<double>& times() const { return t_; }
   double begin() const { return t_.front(); }

@@ -46,7 +46,8 @@ enum class VehicleColumns
 {
   NONE,
   RELATIVE,  ///< vehicle_x..z: vehicle end relative to the vessel end.
-  POSE       ///< vehicle_x..z, vehicle_qx..qw: world pose of a simulated vehicle.
+  POSE,      ///< vehicle_x..z, vehicle_qx..qw: world pose of a simulated vehicle.
+  OBSERVED   ///< the same, estimated, and vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev.
 };
 
 /// ends.csv: end forces and extremes, a row an estimate.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/replay/measurements.h"
 #include "tether_monitor/replay/motion.h"
 #include "tether_monitor/replay/recorder.h"
 
@@ -24,5 +25,15 @@ struct ReplayOptions
  */
 void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
                   Recorder& recorder);
+
+/**
+ * Runs an estimator of mode observed over measurements, each known from its row's time on, as they would come in live.
+ *
+ * Starts with the first position of the vehicle; until then the estimate is INVALID (NO_INPUT).
+ *
+ * @param motion  of the same file: pay-out, current, thrust.
+ */
+void replayMeasurements(const Measurements& measurements, const Motion& motion, const ReplayOptions& options,
+                        monitor::TetherEstimator& estimator, Recorder& recorder);
 
 }  // namespace tether_monitor::replay

@@ -60,7 +60,13 @@ class MeasurementIntake
   std::string transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
   std::string takeLength(double t, double length, double rate);
   std::string refused(const std::string& why, const ros::Time& now);
-  monitor::BodyTrack& track(BodyName body);
+  using Covariance = nav_msgs::Odometry::_pose_type::_covariance_type;
+  /// The same as take(), with the covariance that the message has, if any; does not note a refusal.
+  std::string takePose(BodyName body, const geometry_msgs::PoseStamped& message, const Covariance* covariance,
+                       const ros::Time& now);
+  template <typename Measurement>
+  std::string add(BodyName body, const Measurement& measurement);
+  const monitor::BodyTrack& track(BodyName body) const;
   const monitor::BodyConfig& config(BodyName body) const;
 
   monitor::TetherEstimator& estimator_;

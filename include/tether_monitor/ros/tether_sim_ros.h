@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -39,6 +40,8 @@ class TetherSimRos
   void publishMeasurements(double t);
   void publishBody(const simulation::Measurement& measurement, const ros::Publisher& pose,
                    const ros::Publisher& velocity);
+  void publishOdometry(const simulation::Measurement& measurement);
+  void publishHeave(double t);
   void publishWinch(double t);
   void publishObstacles(double t);
   void publishTruth();
@@ -53,6 +56,7 @@ class TetherSimRos
   tf2_ros::TransformBroadcaster broadcaster_;
   std::string frame_prefix_;
   ros::Publisher vessel_pose_, vessel_velocity_, vehicle_pose_, vehicle_velocity_, payout_, obstacles_, thrust_;
+  ros::Publisher vessel_odometry_;
   ros::Publisher vessel_force_, vehicle_force_, markers_, clock_;
   ros::Timer timer_;
   ros::WallTimer wall_timer_;
@@ -60,6 +64,7 @@ class TetherSimRos
   double period_ = 0.05;  // [s] of simulated time between ticks
   double time_ = 0.0;
   double next_payout_ = 0.0, next_obstacles_ = 0.0;
+  double next_heave_ = 0.0;
   bool started_ = false;
   bool running_ = true;
 };

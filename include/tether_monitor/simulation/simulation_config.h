@@ -65,9 +65,17 @@ struct SensorPlan
   bool velocity = true;             ///< whether velocities are measured too.
   double dropout = 0.0;             ///< share of measurements that get lost [-], 0..1.
   double outlier = 0.0;             ///< share of positions that are `outlier_size` off [-], 0..1.
-  double outlier_size = 10.0;       ///< [m], >= 0.
+  double outlier_size = 10.0;       ///< [m], >= 0: the largest.
+  double outlier_least = 10.0;      ///< the smallest, evenly distributed in between [m], 0..outlier_size.
   double latency = 0.0;  ///< [s] from measurement to message, >= 0; the stamp is that of the measurement.
   double gap_from = 0.0, gap_to = 0.0;  ///< [s] since the start: nothing is measured in between.
+};
+
+/// A motion sensor that measures the height of the vessel's reference point, between the satellite positions.
+struct HeavePlan
+{
+  double rate = 0.0;    ///< [Hz]; 0: there is none.
+  double stddev = 0.0;  ///< [m], >= 0.
 };
 
 /// The key `simulation` of a scenario.
@@ -78,6 +86,7 @@ struct SimulationConfig
   std::vector<WinchOrder> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
   SensorPlan vessel_sensor, vehicle_sensor;
+  HeavePlan heave;  ///< with it, the vessel's measurements are told as odometry with covariance.
   double payout_rate = 10.0;       ///< reports of the winch per second [Hz]; 0: none.
   double payout_stddev = 0.0;      ///< [m], >= 0.
   bool publish_obstacles = false;  ///< tell the monitor of the obstacles live.
