@@ -19,7 +19,7 @@ constexpr double MEAN_SHARE = 0.1;     // of the running mean of the innovations
 constexpr double MOST_SCATTER = 25.0;  // of the variance
 constexpr double CALM = 9.0;           // squared bias that chance explains
 constexpr double DISPUTE = 25.0;       // squared bias that it does not
-constexpr double MOST_UNREST = 10.0;
+constexpr double MOST_UNREST = 100.0;
 }  // namespace
 
 void FixJudge::start(double t)

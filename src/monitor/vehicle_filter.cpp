@@ -10,6 +10,7 @@ namespace
 {
 constexpr double STRIDE = 0.25;      // [s] between looks at the covariance
 constexpr double UNBALANCED = 0.2;   // disturbance at the start that is not balanced, over its standard deviation [-]
+constexpr double SURPRISE = 0.3;      // uncertainty of the force found at the start, over its size [-]
 constexpr double HANDOVER = 4;     // [s] in which the nominal vehicle takes over what is known of the disturbance
 constexpr double REACH_TIME = 60.0;   // [s] in which an error of the reach fades
 constexpr double PULL_RATE = .2;    // [1/s] bandwidth with which the nominal vehicle follows the mean
@@ -36,7 +37,9 @@ void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& pl
   covariance_.setZero();
   covariance_.block<3, 3>(0, 0) = place;
   covariance_.diagonal().segment<3>(3).setConstant(velocity_stddev * velocity_stddev);
-  covariance_.diagonal().segment<3>(6) = (UNBALANCED * shares(model) * model.force).cwiseAbs2();
+  // A force that has to be there already says how large such forces are.
+  covariance_.diagonal().segment<3>(6) =
+      (UNBALANCED * shares(model) * model.force).cwiseAbs2() + (SURPRISE * force).cwiseAbs2();
   covariance_(9, 9) = model.drag * model.drag;
   covariance_(10, 10) = model.first_reach * model.first_reach;
   // At the start the vehicle is in balance: what is wrong of its place or its drag is wrong of the disturbance.
@@ -112,8 +115,10 @@ void VehicleFilter::spread()
   const Matrix phi = (Matrix::Identity() - waiting_ * rates()).inverse();
   covariance_ = (phi * covariance_ * phi.transpose()).eval();
   covariance_.diagonal().segment<3>(3).array() += waiting_ * model_.acceleration * model_.acceleration;
-  const double walk = unrest_ * model_.force_walk;
-  covariance_.diagonal().segment<3>(6) += waiting_ * (walk * shares(model_)).cwiseAbs2();
+  // Unrest has no favourite direction.
+  const double walk = model_.force_walk * model_.force_walk * waiting_;
+  covariance_.diagonal().segment<3>(6) +=
+      walk * (shares(model_).cwiseAbs2() + core::Vector3::Constant(unrest_ * unrest_ - 1.0));
   const double drag_walk = unrest_ * model_.drag_walk;
   covariance_(9, 9) += waiting_ * drag_walk * drag_walk;
   covariance_(10, 10) += waiting_ * 2.0 * model_.reach * model_.reach / REACH_TIME;

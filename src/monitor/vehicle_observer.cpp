@@ -22,6 +22,7 @@ constexpr double FORCE_SHARE = 0.25;     // disturbance that nobody told of, ove
 constexpr double WALK = .003;          // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
 constexpr double DRAG_WALK = .003;      // likewise of the drag
 constexpr double SPEED_DOUBT = 0.2;     // standard deviation of the vehicle's velocity at the start [m/s]
+constexpr double CHANCE = 3.0;          // cost of a start that chance explains [-]
 constexpr double FIRST_WAIT = 5.0;      // [s] for the first three positions
 constexpr double FIRST_DRIFT = 0.3;     // speed by which the vehicle may part from the vessel then [m/s]
 constexpr int FIRST_FIXES = 3, MEDIAN_OF = 5;
@@ -116,10 +117,17 @@ core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core:
                                              const core::SteadyEnds& ends, const core::Vector3& thrust,
                                              core::NodeField& shape)
 {
+  const DisturbanceModel model_of_it = disturbanceModel(navigation_, body_);
+  const core::Vector3 usual = model_of_it.force * core::Vector3(1.0, 1.0, model_of_it.vertical);
   VehicleStart start;
-  const core::SolveReport report =
-      findVehicleStart(statics, model, ends, first_stddev_, thrust,
-                       disturbanceModel(navigation_, body_).force * core::Vector3(1.0, 1.0, disturbanceModel(navigation_, body_).vertical), start);
+  start_scale_ = 1.0;
+  core::SolveReport report = findVehicleStart(statics, model, ends, first_stddev_, thrust, usual, start);
+  if (report.converged() && start.cost > CHANCE)
+  {
+    // More than chance explains: the forces here are larger than usual.
+    start_scale_ = std::sqrt(start.cost / CHANCE);
+    report = findVehicleStart(statics, model, ends, first_stddev_, thrust, start_scale_ * usual, start);
+  }
   if (!report.converged())
     return report;
   live_.overstretch = (ends.vehicle - ends.vessel).norm() > model.length() + 3.0 * first_stddev_ ? 1.0 : 0.0;
@@ -156,7 +164,10 @@ void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& 
   EndStiffness stiffness;
   stiffness.mass = (body_.mass + body_.added_mass.mean()) * core::Matrix3::Identity();
   fitEndStiffness(solver_, model, state, 1.0, stiffness);
-  live_.filter.start(disturbanceModel(navigation_, body_), start_place_, SPEED_DOUBT, start_force_,
+  DisturbanceModel disturbance = disturbanceModel(navigation_, body_);
+  disturbance.force *= start_scale_;
+  disturbance.force_walk *= start_scale_;
+  live_.filter.start(disturbance, start_place_, SPEED_DOUBT, start_force_,
                      core::bodyDrag(body_, model.sea(), state.time, core::attachmentMotion(state, model.elements()),
                                     state.vehicle),
                      stiffness);

@@ -111,6 +111,7 @@ class Search
     compliance_ = K.inverse();
     best_.shape = shape;
     best_.force = force;
+    best_.cost = cost;
     best_.place = (certain_ * core::Matrix3::Identity() + K.transpose() * known_ * K).inverse();
     return true;
   }

@@ -215,7 +215,7 @@ TEST(LoadConfig, AFreeVehicleNeedsItsBody)
             (std::vector<std::string>{"vehicle.volume is missing", "vehicle.inertia is missing",
                                       "vehicle.drag_area is missing", "vehicle.mass = -1 (must be > 0 kg)"}));
   EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vehicle", Value(Value::Map{{"mode", std::string("loose")}})}})),
-            std::vector<std::string>{"vehicle.mode = 'loose' (must be tracked or free)"});
+            std::vector<std::string>{"vehicle.mode = 'loose' (must be tracked, free or observed)"});
 }
 
 TEST(LoadConfig, KeysOfRosItselfAreAllowed)

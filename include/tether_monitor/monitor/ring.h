@@ -36,7 +36,7 @@ class Ring
   const std::vector<T>& slots() const { return slots_; }
   bool isSound(std::size_t capacity) const
   {
-    return slots_.size() == capacity && first_ < capacity && size_ <= capacity;
+    return slots_.size() == capacity && (first_ < capacity || first_ == 0) && size_ <= capacity;
   }
 
   template <class Archive>

@@ -89,7 +89,7 @@ class VehicleObserver
   template <class Archive>
   void archive(Archive& a)
   {
-    a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_force_, start_place_, repeated_, steps_, saved_, newest_, interval_);
+    a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_scale_, start_force_, start_place_, repeated_, steps_, saved_, newest_, interval_);
   }
 
  private:
@@ -150,6 +150,7 @@ class VehicleObserver
   std::optional<Eigen::Quaterniond> attitude_;
   core::Vector3 origin_ = core::Vector3::Zero();
   double begun_at_;
+  double start_scale_ = 1.0;  // of the usual disturbance
   double first_stddev_ = 0.0;  // of firstPosition() [m]
   core::Vector3 start_force_ = core::Vector3::Zero();
   core::Matrix3 start_place_ = core::Matrix3::Identity();  // covariance

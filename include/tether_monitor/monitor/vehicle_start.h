@@ -11,6 +11,7 @@ struct VehicleStart
   core::NodeField shape;
   core::Vector3 force = core::Vector3::Zero();       ///< [N], world axes.
   core::Matrix3 place = core::Matrix3::Identity();  ///< covariance of the position [m^2].
+  double cost = 0.0;  ///< what is minimised [-]; three is what chance would give.
 };
 
 /**
