@@ -62,8 +62,9 @@ Case stationKeeping()
   c.vessel = [](double t)
   {
     const double drift = 2.0 * M_PI / 90.0, w = 2.0 * M_PI / 7.0, s = std::min(t / 14.0, 1.0);
-    return EndPoint{{2.0 * s * std::sin(drift * t), 2.0 * s * std::sin(0.7 * drift * t), -2.0 + 0.5 * s * std::sin(w * t)},
-                    Vector3::Zero()};
+    return EndPoint{
+        {2.0 * s * std::sin(drift * t), 2.0 * s * std::sin(0.7 * drift * t), -2.0 + 0.5 * s * std::sin(w * t)},
+        Vector3::Zero()};
   };
   return c;
 }
@@ -121,7 +122,8 @@ Truth makeTruth(const Case& c, double duration, const Vector3& untold)
   Pilot pilot{start.vehicle};
   if (hasPilot(c))
   {
-    pilot.integral = -core::steadyForce(body, model.sea(), start.vehicle, start.velocity) - core::endForces(model, state).vehicle;
+    pilot.integral = -core::steadyForce(body, model.sea(), start.vehicle, start.velocity) -
+                     core::endForces(model, state).vehicle;
     model.setBodies({std::nullopt, body});
   }
   core::StepperOptions options;
@@ -171,12 +173,13 @@ monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monito
   }
   config.navigation.position_stddev = sensors.fix_stddev;
   config.navigation.latency = sensors.latency;
+  config.navigation.gains = knowledge.gains;
   config.vessel.position_stddev = sensors.satellite_stddev;
   config.invalid_timeout = 600.0;
   return config;
 }
 
-Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors, bool tell_thrust)
+Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors)
 {
   std::mt19937 generator(sensors.seed);
   std::normal_distribution<double> normal;
@@ -211,7 +214,7 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
       vessel.position_stddev = {UNMEASURED, UNMEASURED, sensors.heave_stddev};
       estimator.addVessel(vessel);
     }
-    if (!truth.thrust.empty() && tell_thrust && observed)
+    if (!truth.thrust.empty() && config.vehicle_mode != monitor::VehicleMode::TRACKED)
       estimator.setThrust(t, truth.thrust[i]);
     if (i >= late && (i - late) % every(sensors.fix_interval) == 0)
     {

@@ -16,14 +16,14 @@ struct Truth
   double step = 0.05;  ///< [s]
   std::vector<core::EndPoint> vessel;
   std::vector<monitor::BodyState> vehicle;
-  std::vector<core::Wrench> thrust;  ///< that the vehicle's pilot gives; empty: none.
+  std::vector<core::Wrench> thrust;                     ///< that the vehicle's pilot gives; empty: none.
   std::vector<double> vessel_tension, vehicle_tension;  ///< [N]
 
   double timeOf(std::size_t i) const { return step * static_cast<double>(i); }
 };
 
-/// C, D and G: a vehicle that keeps its station, 120 m down on 150 m of near-neutral tether, under a vessel that drifts
-/// and heaves.
+/// C, D and G: a vehicle that keeps its station, 120 m down on 150 m of near-neutral tether, under a vessel that
+/// drifts and heaves.
 std::vector<Case> navigationCases();
 
 /// Moves a case for `duration` [s] (0: its own), with a force on the vehicle that nobody will be told [N].
@@ -33,10 +33,10 @@ Truth makeTruth(const Case& c, double duration, const core::Vector3& untold);
 struct Sensors
 {
   unsigned seed = 1;
-  double fix_interval = 1.0;     ///< of the vehicle's position [s].
-  double fix_stddev = 0.3;       ///< [m]
-  double outliers = 0.05;        ///< share of positions that are 5 to 50 m off.
-  double latency = 1.0;          ///< [s]
+  double fix_interval = 1.0;                                 ///< of the vehicle's position [s].
+  double fix_stddev = 0.3;                                   ///< [m]
+  double outliers = 0.05;                                    ///< share of positions that are 5 to 50 m off.
+  double latency = 1.0;                                      ///< [s]
   double satellite_interval = 0.2, satellite_stddev = 0.02;  ///< of the vessel's position [s, m].
   double heave_interval = 0.05, heave_stddev = 0.03;         ///< of its height [s, m].
   /// Changes a measured position at its time, after the noise; false: it gets lost. Empty: none.
@@ -46,9 +46,9 @@ struct Sensors
 /// What the estimator is told of the vehicle.
 struct Knowledge
 {
-  double drag_factor = 1.0;   ///< on the true drag areas.
+  double drag_factor = 1.0;    ///< on the true drag areas.
   double length_factor = 1.0;  ///< on the true length of the tether.
-  bool thrust = true;         ///< whether it hears of the pilot's thrust.
+  monitor::ObserverGains gains = monitor::ObserverGains::KALMAN;
 };
 
 /// An estimate a tick.
@@ -70,14 +70,14 @@ monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monito
                           const Sensors& sensors);
 
 /// Runs the estimator live at 20 Hz over measurements of the truth.
-Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors, bool tell_thrust = true);
+Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors);
 
 /// How well a trail matches the truth from `from` to `to` [s].
 struct Score
 {
-  double rms = 0.0;          ///< of the vessel tension, over its mean [-].
-  double vehicle_rms = 0.0;  ///< of the vehicle tension, likewise.
-  double peak = 0.0;         ///< largest over the true largest, less one [-].
+  double rms = 0.0;                       ///< of the vessel tension, over its mean [-].
+  double vehicle_rms = 0.0;               ///< of the vehicle tension, likewise.
+  double peak = 0.0;                      ///< largest over the true largest, less one [-].
   double within_1 = 0.0, within_2 = 0.0;  ///< share of estimates within one and two standard deviations.
   double valid = 0.0, ok = 0.0;           ///< share of ticks that are not INVALID, that are OK.
   double mean_stddev = 0.0;               ///< over the mean tension [-].

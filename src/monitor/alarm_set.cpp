@@ -9,7 +9,7 @@ namespace
 {
 const char* const OVER_TENSION = "over_tension";
 constexpr double BAND = 2.0;  // standard deviations to the edge of the band
-}
+}  // namespace
 
 AlarmSet::AlarmSet(const Config& config)
 {

@@ -7,12 +7,12 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double MANOEUVRE_TIME = 20.0;  // [s] over which it fades
-constexpr double DAMPING = 0.05;          // of the oscillators [-]: how wide the spectrum of the waves is
-constexpr double MEMORY = 60.0;          // [s] of what the waves are like
-constexpr double SLOWEST = 0.25, FASTEST = 2.0;      // [rad/s]
-constexpr double LOWEST = 0.01, HIGHEST = 10.0;      // standard deviation of the wave motion [m]
-constexpr double LONGEST = 0.1;                      // [s] in one step
+constexpr double MANOEUVRE_TIME = 20.0;          // [s] over which it fades
+constexpr double DAMPING = 0.05;                 // of the oscillators [-]: how wide the spectrum of the waves is
+constexpr double MEMORY = 60.0;                  // [s] of what the waves are like
+constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // [rad/s]
+constexpr double LOWEST = 0.01, HIGHEST = 10.0;  // standard deviation of the wave motion [m]
+constexpr double LONGEST = 0.1;                  // [s] in one step
 
 using Row = Eigen::Matrix<double, 1, AxisFilter::STATES>;
 

@@ -15,8 +15,8 @@ TensionSlope slopeBetween(const Row3& slow, const Row3& fast)
 }
 }  // namespace
 
-bool fitEndStiffness(core::EndImpedanceSolver& solver, const core::CableModel& model, const core::CableState& state,
-                     double wave_rate, EndStiffness& fit)
+bool fitEndStiffness(core::EndImpedanceSolver& solver, const core::CableModel& model,
+                     const core::CableState& state, double wave_rate, EndStiffness& fit)
 {
   core::EndImpedance slow, fast, wave;
   if (!solver.solve(model, state, EndStiffness::SLOW, slow) ||
@@ -29,7 +29,8 @@ bool fitEndStiffness(core::EndImpedanceSolver& solver, const core::CableModel& m
   const Row3 at_vehicle = -forces.vehicle.normalized().transpose();
   constexpr double A = EndStiffness::SLOW, B = EndStiffness::FAST;
 
-  fit.mass = R * core::Matrix3((core::Vector3::Constant(body.mass) + body.added_mass).asDiagonal()) * R.transpose();
+  fit.mass =
+      R * core::Matrix3((core::Vector3::Constant(body.mass) + body.added_mass).asDiagonal()) * R.transpose();
   fit.damping = (fast.vehicle - slow.vehicle - (B * B - A * A) * fit.mass) / (B - A);
   fit.stiffness = slow.vehicle - A * fit.damping - A * A * fit.mass;
   fit.chord = (state.q.back().head<3>() - state.q.front().head<3>()).normalized();

@@ -9,8 +9,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double NO_ORIENTATION = 1.0;       // standard deviation of an orientation that was not measured [rad]
-constexpr double STARTING_PLACE = 0.1;       // standard deviations of a motion that was told [m, m/s]
+constexpr double NO_ORIENTATION = 1.0;  // standard deviation of an orientation that was not measured [rad]
+constexpr double STARTING_PLACE = 0.1;  // standard deviations of a motion that was told [m, m/s]
 constexpr double STARTING_SPEED = 0.2;
 
 core::Vector3 orElse(const core::Vector3& told, double otherwise)
@@ -67,8 +67,7 @@ Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
     return rejection;
   if (turns && rejection == Rejection::NONE)
     observer_.setAttitude(m.orientation.normalized());
-  const core::Vector3 stddev =
-      unmeasuredAsInfinite(orElse(m.position_stddev, config_.navigation.position_stddev));
+  const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.position_stddev, config_.navigation.position_stddev));
   return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::POSITION, m.position, stddev});
 }
 
@@ -77,8 +76,7 @@ Rejection TetherEstimator::addVehicle(const RatesMeasurement& m)
   const Rejection rejection = vehicle_.addRates(m.t, m.velocity, m.angular_velocity);
   if (!isVehicleObserved() || !isMissing(rejection))
     return rejection;
-  const core::Vector3 stddev =
-      unmeasuredAsInfinite(orElse(m.velocity_stddev, config_.navigation.velocity_stddev));
+  const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.velocity_stddev, config_.navigation.velocity_stddev));
   return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::VELOCITY, m.velocity, stddev});
 }
 
@@ -134,7 +132,8 @@ Reason TetherEstimator::lackOf(double t) const
   if (observer_.silence(t) > config_.invalid_timeout)
     return Reason::VEHICLE_STALE;
   const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
-  return band <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE : Reason::UNCERTAIN;
+  return band <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE
+                                                                                 : Reason::UNCERTAIN;
 }
 
 // What makes them doubtful.
@@ -147,7 +146,8 @@ Reason TetherEstimator::doubt(double t) const
   if (observer_.silence(t) > config_.pose_timeout)
     return Reason::VEHICLE_STALE;
   const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
-  return band > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN : Reason::NONE;
+  return band > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN
+                                                                                 : Reason::NONE;
 }
 
 const TetherEstimate& TetherEstimator::withhold(Reason reason)

@@ -66,8 +66,8 @@ bool FixLog::isSound() const
 {
   bool sound = fixes_.size() <= CAPACITY && !std::isnan(earliest_unread_);
   for (std::size_t i = 0; i < fixes_.size(); ++i)
-    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.allFinite() && fixes_[i].stddev.minCoeff() > 0.0 &&
-            (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
+    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.allFinite() &&
+            fixes_[i].stddev.minCoeff() > 0.0 && (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
   return sound;
 }
 

@@ -12,7 +12,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double ABSURD = 10.0;         // breaking loads: no tether carries that, something told is wrong
+constexpr double ABSURD = 10.0;           // breaking loads: no tether carries that, something told is wrong
 constexpr double STRUMMING_PERIOD = 1.0;  // [s] of model time between looks at strumming
 
 const Config& checked(const Config& config)
@@ -142,7 +142,9 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 void TetherEstimator::lookAtAges(double t)
 {
   estimate_.vessel_age = isVehicleObserved() ? vessel_filter_.age(t) : vessel_.age(t);
-  estimate_.vehicle_age = isVehicleObserved() ? observer_.age(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
+  estimate_.vehicle_age = isVehicleObserved() ? observer_.age(t)
+                          : isVehicleFree()   ? thrustAge(t)
+                                              : vehicle_.age(t);
   estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 

@@ -8,14 +8,18 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double STRIDE = 0.25;      // [s] between looks at the covariance
-constexpr double UNBALANCED = 0.2;   // disturbance at the start that is not balanced, over its standard deviation [-]
-constexpr double SURPRISE = 0.3;      // uncertainty of the force found at the start, over its size [-]
-constexpr double HANDOVER = 4;     // [s] in which the nominal vehicle takes over what is known of the disturbance
-constexpr double REACH_TIME = 60.0;   // [s] in which an error of the reach fades
-constexpr double PULL_RATE = .2;    // [1/s] bandwidth with which the nominal vehicle follows the mean
+constexpr double STRIDE = 0.25;  // [s] between looks at the covariance
+constexpr double UNBALANCED =
+    0.2;                          // disturbance at the start that is not balanced, over its standard deviation [-]
+constexpr double SURPRISE = 0.3;  // uncertainty of the force found at the start, over its size [-]
+constexpr double FIXED_PLACE = 0.3, FIXED_SPEED = 0.03,
+                 FIXED_FORCE = 0.001;  // a free body's triple pole at 0.1 rad/s
+constexpr double HANDOVER = 4;  // [s] in which the nominal vehicle takes over what is known of the disturbance
+constexpr double REACH_TIME = 60.0;  // [s] in which an error of the reach fades
+constexpr double PULL_RATE = 0.2;    // [1/s] bandwidth with which the nominal vehicle follows the mean
 constexpr double STRONGEST = 2.0;    // pull over the standard deviation of the disturbance [-]
-constexpr double MOST_DOUBT = 2.0;   // standard deviation of the disturbance over that before the first measurement [-]
+constexpr double MOST_DOUBT =
+    2.0;  // standard deviation of the disturbance over that before the first measurement [-]
 
 core::Vector3 shares(const DisturbanceModel& model)
 {
@@ -52,6 +56,11 @@ void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& pl
 void VehicleFilter::setStiffness(const EndStiffness& stiffness)
 {
   stiffness_ = stiffness;
+  if (model_.gains == ObserverGains::WITHOUT_TETHER)
+  {
+    stiffness_.stiffness.setZero();
+    stiffness_.damping.setZero();
+  }
   mass_inverse_ = stiffness.mass.inverse();
   mean_dt_ = 0.0;
 }
@@ -70,7 +79,8 @@ VehicleFilter::Matrix VehicleFilter::rates() const
 
 core::Vector3 VehicleFilter::pull() const
 {
-  const core::Vector3 wanted = stiffness_.mass * (PULL_RATE * PULL_RATE * error_.segment<3>(0) + 2.0 * PULL_RATE * velocityError());
+  const core::Vector3 wanted =
+      stiffness_.mass * (PULL_RATE * PULL_RATE * error_.segment<3>(0) + 2.0 * PULL_RATE * velocityError());
   const double most = STRONGEST * model_.force;
   return wanted.norm() > most ? core::Vector3(most / wanted.norm() * wanted) : wanted;
 }
@@ -161,6 +171,14 @@ double VehicleFilter::mahalanobis(const Look& H, const core::Vector3& offset, co
 
 void VehicleFilter::correct(const Look& H, const core::Vector3& offset, const core::Vector3& stddev)
 {
+  if (model_.gains == ObserverGains::FIXED)
+  {
+    const core::Vector3 innovation = offset - H * error_;
+    error_.segment<3>(0) += FIXED_PLACE * innovation;
+    error_.segment<3>(3) += FIXED_SPEED * innovation;
+    error_.segment<3>(6) += FIXED_FORCE * (stiffness_.mass * innovation);
+    return;
+  }
   spread();
   const Eigen::Matrix<double, STATES, 3> columns = covariance_ * H.transpose();
   core::Matrix3 S = H * columns;

@@ -14,20 +14,20 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr std::size_t STEPS = 512, SAVED = 32;
-constexpr double OUT_OF_ORDER = 3.0;    // [s] by which a measurement may be later than the latency
-constexpr double LONGEST_STEP = 0.1;    // [s] between looks at measurements
-constexpr double REFIT = 5.0;           // [s] between looks at the tether's stiffness
-constexpr double ATTITUDE_RATE = 1.0;   // [rad/s] with which the vehicle turns to its measured attitude
-constexpr double FORCE_SHARE = 0.25;     // disturbance that nobody told of, over the mass [m/s^2]
-constexpr double WALK = .003;          // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
-constexpr double DRAG_WALK = .003;      // likewise of the drag
-constexpr double SPEED_DOUBT = 0.2;     // standard deviation of the vehicle's velocity at the start [m/s]
-constexpr double CHANCE = 3.0;          // cost of a start that chance explains [-]
-constexpr double FIRST_WAIT = 5.0;      // [s] for the first three positions
-constexpr double FIRST_DRIFT = 0.3;     // speed by which the vehicle may part from the vessel then [m/s]
+constexpr double OUT_OF_ORDER = 3.0;   // [s] by which a measurement may be later than the latency
+constexpr double LONGEST_STEP = 0.1;   // [s] between looks at measurements
+constexpr double REFIT = 5.0;          // [s] between looks at the tether's stiffness
+constexpr double ATTITUDE_RATE = 1.0;  // [rad/s] with which the vehicle turns to its measured attitude
+constexpr double FORCE_SHARE = 0.18;   // disturbance that nobody told of, over the mass [m/s^2]
+constexpr double WALK = 0.003;         // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
+constexpr double DRAG_WALK = 0.003;    // likewise of the drag
+constexpr double SPEED_DOUBT = 0.2;    // standard deviation of the vehicle's velocity at the start [m/s]
+constexpr double CHANCE = 3.0;         // cost of a start that chance explains [-]
+constexpr double FIRST_WAIT = 5.0;     // [s] for the first three positions
+constexpr double FIRST_DRIFT = 0.3;    // speed by which the vehicle may part from the vessel then [m/s]
 constexpr int FIRST_FIXES = 3, MEDIAN_OF = 5;
 constexpr double STRETCH_SHARE = 0.1, STRETCH_MOST = 3.0, STRETCH_LIMIT = 0.75;
-constexpr double MODEL_DOUBT = 0.002;   // of a tension, relative: mesh, step, rounding of motions [-]
+constexpr double MODEL_DOUBT = 0.002;  // of a tension, relative: mesh, step, rounding of motions [-]
 
 DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core::RigidBody& body)
 {
@@ -35,6 +35,7 @@ DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core
   model.force = navigation.force_stddev.value_or(FORCE_SHARE * body.mass);
   model.force_walk = WALK * model.force;
   model.drag = navigation.drag_stddev;
+  model.gains = navigation.gains;
   model.drag_walk = DRAG_WALK * model.drag;
   return model;
 }
@@ -168,8 +169,8 @@ void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& 
   disturbance.force *= start_scale_;
   disturbance.force_walk *= start_scale_;
   live_.filter.start(disturbance, start_place_, SPEED_DOUBT, start_force_,
-                     core::bodyDrag(body_, model.sea(), state.time, core::attachmentMotion(state, model.elements()),
-                                    state.vehicle),
+                     core::bodyDrag(body_, model.sea(), state.time,
+                                    core::attachmentMotion(state, model.elements()), state.vehicle),
                      stiffness);
   live_.judge.start(state.time);
   live_.refit_at = state.time + REFIT;
@@ -210,7 +211,8 @@ void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, 
   {
     const core::Vector3 end = value + state.vehicle.orientation * body_.attachment;
     const core::Vector3 chord = end - step.paths.vessel.position(fix.t);
-    const double excess = chord.norm() - std::max(model.length(), (state.q.back() - state.q.front()).head<3>().norm());
+    const double excess =
+        chord.norm() - std::max(model.length(), (state.q.back() - state.q.front()).head<3>().norm());
     const double sure = std::sqrt(fix.stddev.cwiseMin(1e6).squaredNorm() / 3.0 + step.vessel_stddev.squaredNorm());
     live_.overstretch +=
         STRETCH_SHARE * (std::clamp(excess / sure, -STRETCH_MOST, STRETCH_MOST) - live_.overstretch);
@@ -368,8 +370,8 @@ bool VehicleObserver::isSound(const core::CableModel& model, const VehicleObserv
   const auto fits = [&](const core::CableState& state)
   {
     const std::size_t nodes = static_cast<std::size_t>(model.nodes());
-    return state.q.size() == nodes && state.v.size() == nodes && state.a.size() == nodes && state.aux.size() == nodes &&
-           state.allFinite() && std::isfinite(state.time);
+    return state.q.size() == nodes && state.v.size() == nodes && state.a.size() == nodes &&
+           state.aux.size() == nodes && state.allFinite() && std::isfinite(state.time);
   };
   for (std::size_t i = 0; i < saved_.size(); ++i)
     if (!fits(saved_[i].state) || !saved_[i].live.filter.isSound() || !(saved_[i].payout.length > 0.0))

@@ -14,10 +14,10 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double STATIC_RATE = 0.003;  // rate of growth that stands for a steady state [1/s]
+constexpr double STATIC_RATE = 0.003;     // rate of growth that stands for a steady state [1/s]
 constexpr double LONGEST_REACH = 0.9995;  // chord over length at which a vehicle can be held
 constexpr int PASSES = 8;
-constexpr double GOOD = 1e-3;             // relative gain of a pass that is not worth another
+constexpr double GOOD = 1e-3;  // relative gain of a pass that is not worth another
 
 class Search
 {

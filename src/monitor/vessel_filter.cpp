@@ -8,20 +8,20 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr int CHECKPOINT_EVERY = 8;      // measurements
+constexpr int CHECKPOINT_EVERY = 8;  // measurements
 constexpr std::size_t CHECKPOINTS = 32;
-constexpr double GATE = 6.0;             // standard deviations: farther is an outlier
-constexpr int CONVINCED = 4;             // so many outliers in a row are the truth
-constexpr double SPEED_DOUBT = 5.0;      // standard deviation of a velocity that nobody knows [m/s]
-constexpr double READY_SPEED = 0.3;      // standard deviation of the velocity to begin with [m/s]
-constexpr double FIRST_LOOK = 10.0;      // [s] of measurements to begin with
-constexpr double FADING = .3;           // rate at which a correction fades [1/s]
-constexpr double FIRST_FADING = 8.0;     // so much slower it is at first, ...
-constexpr double FIRST_TIME = 10.0;      // ... less and less within this time [s]
+constexpr double GATE = 6.0;                       // standard deviations: farther is an outlier
+constexpr int CONVINCED = 4;                       // so many outliers in a row are the truth
+constexpr double SPEED_DOUBT = 5.0;                // standard deviation of a velocity that nobody knows [m/s]
+constexpr double READY_SPEED = 0.3;                // standard deviation of the velocity to begin with [m/s]
+constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to begin with
+constexpr double FADING = 0.3;                     // rate at which a correction fades [1/s]
+constexpr double FIRST_FADING = 8.0;               // so much slower it is at first, ...
+constexpr double FIRST_TIME = 10.0;                // ... less and less within this time [s]
 constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
-constexpr double FASTEST_ERROR = 1.0;    // rate of the errors that fading leaves [1/s]
-constexpr double WAY = 20.0;             // [s] over which a vessel goes straight
-constexpr double LONGEST_GAP = 60.0;     // [s]; after it a filter begins anew
+constexpr double FASTEST_ERROR = 1.0;              // rate of the errors that fading leaves [1/s]
+constexpr double WAY = 20.0;                       // [s] over which a vessel goes straight
+constexpr double LONGEST_GAP = 60.0;               // [s]; after it a filter begins anew
 }  // namespace
 
 VesselFilter::VesselFilter()
@@ -79,7 +79,8 @@ Rejection VesselFilter::add(const Entry& told)
   }
   if (!std::isfinite(entry.t))
     return Rejection::NOT_FINITE;
-  const auto same = [&](const Entry& e) { return e.t == entry.t && e.is_velocity == entry.is_velocity && e.value == entry.value; };
+  const auto same = [&](const Entry& e)
+  { return e.t == entry.t && e.is_velocity == entry.is_velocity && e.value == entry.value; };
   if (std::any_of(log_.rbegin(), log_.rend(), same))
     return Rejection::OUT_OF_ORDER;
   const bool is_late = !log_.empty() && entry.t < log_.back().t;
@@ -97,7 +98,8 @@ Rejection VesselFilter::add(const Entry& told)
   first_ = std::min(first_, entry.t);
   if (log_.size() == CAPACITY)
     log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
-  const auto place = std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
+  const auto place =
+      std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
   const std::size_t index = place - log_.begin();
   log_.insert(place, entry);
   if (!is_late)
@@ -226,8 +228,7 @@ VesselFilter::Motion VesselFilter::motionOf(const Filters& filters, double t)
   Motion motion;
   for (int i = 0; i < 3; ++i)
   {
-    const AxisFilter::Motion m =
-        filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + LONGEST_GAP));
+    const AxisFilter::Motion m = filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + LONGEST_GAP));
     motion.end.position[i] = m.position;
     motion.end.velocity[i] = m.velocity;
     motion.position_stddev[i] = m.position_stddev;
@@ -263,15 +264,18 @@ core::EndPoint VesselFilter::way(double t) const
 double VesselFilter::errorRate(double t) const
 {
   const Motion m = at(t);
-  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)), 0.3, FASTEST_ERROR);
+  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)),
+                    0.3, FASTEST_ERROR);
 }
 
 bool VesselFilter::isSound() const
 {
   if (log_.size() > CAPACITY || checkpoints_.size() > CHECKPOINTS)
     return false;
-  return std::all_of(filters_.begin(), filters_.end(),
-                     [](const AxisFilter& f) { return !f.isStarted() || (std::isfinite(f.time()) && std::isfinite(f.at(f.time()).position)); });
+  return std::all_of(
+      filters_.begin(), filters_.end(),
+      [](const AxisFilter& f)
+      { return !f.isStarted() || (std::isfinite(f.time()) && std::isfinite(f.at(f.time()).position)); });
 }
 
 }  // namespace tether_monitor::monitor

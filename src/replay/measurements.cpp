@@ -32,7 +32,8 @@ class Reader
             std::optional<monitor::RatesMeasurement>& rates) const
   {
     const core::Vector3 place(at(row, "x"), at(row, "y"), at(row, "z"));
-    const bool height_alone = may_be_height_alone && std::isnan(place.x()) && std::isnan(place.y()) && !std::isnan(place.z());
+    const bool height_alone =
+        may_be_height_alone && std::isnan(place.x()) && std::isnan(place.y()) && !std::isnan(place.z());
     const Eigen::Quaterniond q(at(row, "qw"), at(row, "qx"), at(row, "qy"), at(row, "qz"));
     if (place.hasNaN() && !place.array().isNaN().all() && !height_alone)
       fail(row, body_ + "x, y and z must all be there or all be empty");
@@ -46,7 +47,8 @@ class Reader
         fail(row, body_ + "stddev must be > 0 m");
       pose->position_stddev.setConstant(stddev);
       if (height_alone)
-        pose->position.head<2>().setZero(), pose->position_stddev.head<2>().setConstant(monitor::VesselFilter::UNMEASURED * 10.0);
+        pose->position.head<2>().setZero(),
+            pose->position_stddev.head<2>().setConstant(monitor::VesselFilter::UNMEASURED * 10.0);
       pose->orientation_stddev = std::isnan(q.norm()) ? 10.0 : 0.0;
       if (!std::isnan(q.norm()) && std::abs(q.norm() - 1.0) > 0.01)
         fail(row, body_ + "q is not a unit quaternion");

@@ -48,8 +48,8 @@ void take(const MeasurementRow& row, monitor::TetherEstimator& estimator)
 
 // Calls visit(t) at every step and write() at every output: between outputs equal parts of at most `step`.
 template <typename Visit>
-void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator, Recorder& recorder,
-         const Visit& visit)
+void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
+         Recorder& recorder, const Visit& visit)
 {
   const std::vector<double> times = outputTimes(motion, options.rate);
   const double step = estimator.config().solver.step;

@@ -328,8 +328,9 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   }
 
   // The model follows the motion at the monitor's rate or finer, whatever the rate of the output.
-  const double begin = observed ? base.seconds(std::max(vessel.first, vehicle.first))
-                                : std::max(estimator.vesselTrack().lastPoseTime(), estimator.vehicleTrack().lastPoseTime());
+  const double begin =
+      observed ? base.seconds(std::max(vessel.first, vehicle.first))
+               : std::max(estimator.vesselTrack().lastPoseTime(), estimator.vehicleTrack().lastPoseTime());
   const double end = std::max(begin, base.seconds(std::max(vessel.second, vehicle.second)));
   const double rate = options.rate > 0.0 ? options.rate : DEFAULT_RATE;
   const double longest = std::min(estimator.config().solver.step, 1.0 / estimator.config().rate);

@@ -38,10 +38,12 @@ std::string advice(monitor::Reason reason)
     case Reason::MESH_COARSE:
       return "A bend is tighter than the elements resolve: tension near it is rough. Raise tether.elements.";
     case Reason::DISAGREEMENT:
-      return "Measured positions, deployed length and what is known of the vehicle contradict each other: look at the "
+      return "Measured positions, deployed length and what is known of the vehicle contradict each other: look at "
+             "the "
              "innovations below, and check positioning, length and the vehicle's parameters.";
     case Reason::UNCERTAIN:
-      return "The tension is known too roughly (see its standard deviation): positions of the vehicle are missing or "
+      return "The tension is known too roughly (see its standard deviation): positions of the vehicle are missing "
+             "or "
              "poor.";
     case Reason::CLOCK_JUMP:
       return "Time ran backwards (a looping bag?) or leapt ahead; the monitor starts anew.";
@@ -51,13 +53,15 @@ std::string advice(monitor::Reason reason)
 
 namespace
 {
-void diagnoseObserver(const monitor::TetherEstimator& estimator, diagnostic_updater::DiagnosticStatusWrapper& status)
+void diagnoseObserver(const monitor::TetherEstimator& estimator,
+                      diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const monitor::TetherEstimate& e = estimator.estimate();
   const monitor::InnovationReport& innovations = estimator.observer().innovations();
   if (estimator.observer().isOverstretched())
-    status.add("Reach", "The measured ends are farther apart than the tether is long: deployed length, positions or "
-                        "both are wrong.");
+    status.add("Reach",
+               "The measured ends are farther apart than the tether is long: deployed length, positions or "
+               "both are wrong.");
   status.add("Standard deviation of the vessel tension [N]", e.vessel_tension_stddev);
   status.add("Standard deviation of the vehicle tension [N]", e.vehicle_tension_stddev);
   status.add("Standard deviation of the vehicle position [m]", e.vehicle_position_stddev);

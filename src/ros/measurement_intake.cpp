@@ -28,8 +28,8 @@ std::string MeasurementIntake::add(BodyName body, const Measurement& measurement
 
 namespace
 {
-// Standard deviations of three rows of a covariance, turned to other axes; NaN where the message tells none (zero, as
-// ROS has it, or -1).
+// Standard deviations of three rows of a covariance, turned to other axes; NaN where the message tells none (zero,
+// as ROS has it, or -1).
 core::Vector3 stddevs(const boost::array<double, 36>& covariance, int first, const core::Matrix3& turn)
 {
   core::Matrix3 block;

@@ -24,8 +24,8 @@ Measurement Sensor::measure(double t, const monitor::BodyState& truth)
     m.body.orientation = truth.orientation * Eigen::AngleAxisd(turn.norm(), turn.normalized());
   const core::Vector3 away = noise(1.0);
   if (share(generator_) < plan_.outlier)
-    m.body.position += (plan_.outlier_least + (plan_.outlier_size - plan_.outlier_least) * share(generator_)) *
-                       away.normalized();
+    m.body.position +=
+        (plan_.outlier_least + (plan_.outlier_size - plan_.outlier_least) * share(generator_)) * away.normalized();
   return m;
 }
 

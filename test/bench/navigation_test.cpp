@@ -22,8 +22,8 @@ Case caseNamed(const std::string& name)
   return {};
 }
 
-// Longest time for which the status was OK while the vessel tension was wrong by more than `share` and by more than
-// `sigmas` of its own standard deviations [s].
+// Longest time for which the status was OK while the vessel tension was wrong by more than `share` and by more
+// than `sigmas` of its own standard deviations [s].
 double longestLie(const Truth& truth, const Trail& trail, double from, double share = 0.1)
 {
   double longest = 0.0, lasting = 0.0;
@@ -85,17 +85,47 @@ TEST(Navigation, FaultyPositionsNeverPassForGood)
       EXPECT_LE(longestLie(truth, trail, 100.0), 2.0) << name << ", " << what;
       EXPECT_LT(shareOf(trail, Status::OK, 125.0, 400.0), 0.5) << name << ", " << what << ": it is seen";
       const Score s = score(truth, trail, 60.0);
-      printf("%s %s: lie %.1f s ok %.2f rms %.2f%% peak %.1f%% valid %.2f refused %ld reacquired %ld\n", name, what, longestLie(truth, trail, 100.0),
-             shareOf(trail, Status::OK, 125.0, 400.0), 100 * s.rms, 100 * s.peak, s.valid, trail.innovations.refused, trail.innovations.reacquired);
+      printf("%s %s: lie %.1f s ok %.2f rms %.2f%% peak %.1f%% valid %.2f refused %ld reacquired %ld\n", name,
+             what, longestLie(truth, trail, 100.0), shareOf(trail, Status::OK, 125.0, 400.0), 100 * s.rms,
+             100 * s.peak, s.valid, trail.innovations.refused, trail.innovations.reacquired);
     };
     core::Vector3 stuck = core::Vector3::Zero();
-    run("frozen", [&](double t, core::Vector3& p) { stuck = t < 100.0 ? p : stuck; p = stuck; return true; });
-    run("frozen with noise", [&](double t, core::Vector3& p) { stuck = t < 100.0 ? p : stuck; p = stuck + 0.3 * core::Vector3(std::sin(17.0 * t), std::sin(23.0 * t), std::sin(31.0 * t)); return true; });
-    run("teleporting", [&](double t, core::Vector3& p) {
-      if (t > 100.0) p += 60.0 * core::Vector3(std::sin(std::floor(t / 7.0) * 2.3), std::cos(std::floor(t / 7.0) * 1.7), 0.3);
-      return true; });
-    run("100 m wrong", [&](double t, core::Vector3& p) { if (t > 100.0) p.y() += 100.0; return true; });
-    run("100 m too deep", [&](double t, core::Vector3& p) { if (t > 100.0) p.z() -= 100.0; return true; });
+    run("frozen",
+        [&](double t, core::Vector3& p)
+        {
+          stuck = t < 100.0 ? p : stuck;
+          p = stuck;
+          return true;
+        });
+    run("frozen with noise",
+        [&](double t, core::Vector3& p)
+        {
+          stuck = t < 100.0 ? p : stuck;
+          p = stuck + 0.3 * core::Vector3(std::sin(17.0 * t), std::sin(23.0 * t), std::sin(31.0 * t));
+          return true;
+        });
+    run("teleporting",
+        [&](double t, core::Vector3& p)
+        {
+          if (t > 100.0)
+            p += 60.0 *
+                 core::Vector3(std::sin(std::floor(t / 7.0) * 2.3), std::cos(std::floor(t / 7.0) * 1.7), 0.3);
+          return true;
+        });
+    run("100 m wrong",
+        [&](double t, core::Vector3& p)
+        {
+          if (t > 100.0)
+            p.y() += 100.0;
+          return true;
+        });
+    run("100 m too deep",
+        [&](double t, core::Vector3& p)
+        {
+          if (t > 100.0)
+            p.z() -= 100.0;
+          return true;
+        });
   }
 }
 

@@ -45,7 +45,8 @@ TEST(EndFollower, SlowPosesOfASmoothMotionMakeNoFalseTension)
       const double t = 0.05 * i;
       estimator.addVessel(PoseMeasurement{t, {0, 0, 1}, Eigen::Quaterniond::Identity()});
       if (i % every == 0)
-        estimator.addVehicle(PoseMeasurement{t, {60 + 0.5 * std::sin(0.8 * t), 0, -70}, Eigen::Quaterniond::Identity()});
+        estimator.addVehicle(
+            PoseMeasurement{t, {60 + 0.5 * std::sin(0.8 * t), 0, -70}, Eigen::Quaterniond::Identity()});
       const TetherEstimate& e = estimator.tick(t);
       if (e.status != Status::INVALID && t > 5.0)
         peak = std::max(peak, e.max_tension);

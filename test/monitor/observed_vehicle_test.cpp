@@ -1,4 +1,5 @@
-// The whole of mode observed, through the façade: measurements late, out of order, twice; lever arms; gaps; saving.
+// The whole of mode observed, through the façade: measurements late, out of order, twice; lever arms; gaps;
+// saving.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -319,7 +320,8 @@ TEST(ObservedVehicle, NonsenseIsRefusedAndForgotten)
   for (int i = 0; i < 20; ++i)
     sea.estimator.addVessel(PoseMeasurement{sea.t + 0.001 * i, Vector3(500.0, 0, 0)});
   sea.run(0.05);
-  EXPECT_TRUE(sea.estimator.estimate().status != Status::OK || std::abs(sea.estimator.estimate().vessel_tension / tension - 1.0) < 0.2);
+  EXPECT_TRUE(sea.estimator.estimate().status != Status::OK ||
+              std::abs(sea.estimator.estimate().vessel_tension / tension - 1.0) < 0.2);
   sea.estimator.reset();
   EXPECT_EQ(sea.run(0.05).status, Status::INVALID);
   EXPECT_NE(sea.run(30.0).status, Status::INVALID);

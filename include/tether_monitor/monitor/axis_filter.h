@@ -8,8 +8,8 @@ namespace tether_monitor::monitor
  * Kalman filter of one coordinate of a vessel in a seaway: (E10)-(E12) of doc/estimation.md.
  *
  * Seven states: the way of the vessel (place, velocity, a fading acceleration) and the motion in the waves on top,
- * two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in the last
- * minute. Plain data: copy it to save it.
+ * two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in the
+ * last minute. Plain data: copy it to save it.
  */
 class AxisFilter
 {
@@ -21,7 +21,7 @@ class AxisFilter
   /// What is known at one time, with standard deviations.
   struct Motion
   {
-    double position = 0.0, velocity = 0.0;                                     ///< [m, m/s]
+    double position = 0.0, velocity = 0.0;                                           ///< [m, m/s]
     double position_stddev = 0.0, velocity_stddev = 0.0, acceleration_stddev = 0.0;  ///< [m, m/s, m/s^2]
   };
 
@@ -46,7 +46,8 @@ class AxisFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, acceleration_square_);
+    a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_,
+      acceleration_square_);
   }
 
  private:

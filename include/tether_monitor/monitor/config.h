@@ -40,8 +40,9 @@ struct BodyConfig
 {
   core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
   std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
-  std::optional<double> position_stddev, velocity_stddev;  ///< of the vessel in mode observed, without covariance in
-                                                           ///< the message [m, m/s]; none: as the values scatter.
+  std::optional<double> position_stddev,
+      velocity_stddev;  ///< of the vessel in mode observed, without covariance in
+                        ///< the message [m, m/s]; none: as the values scatter.
 };
 
 /// What drives the vehicle end.
@@ -52,17 +53,27 @@ enum class VehicleMode
   OBSERVED  ///< a simulated body that measurements correct.
 };
 
+/// How an observed vehicle is corrected. All but KALMAN are for comparison (bench/navigation_noise.cpp) and not in
+/// the parameter tree.
+enum class ObserverGains
+{
+  KALMAN,          ///< the filter of doc/estimation.md.
+  WITHOUT_TETHER,  ///< the same, but it takes the vehicle for a free body.
+  FIXED            ///< constant gains.
+};
+
 /// How good the vehicle's navigation is, and how little is known of the forces on it; for OBSERVED.
 struct NavigationConfig
 {
-  double position_stddev = 0.5;         ///< without covariance in the message [m], > 0.
-  double velocity_stddev = 0.1;         ///< likewise [m/s], > 0.
-  double latency = 0.0;                 ///< how much older a measurement is than its stamp [s], 0..30.
-  std::optional<double> force_stddev;   ///< of the force that nobody tells [N], > 0; none: 0.25 m/s^2 times the
-                                        ///< mass.
-  double drag_stddev = 0.2;             ///< of the relative error of the drag areas [-], > 0.
-  double degraded_stddev = 0.15;        ///< of a tension, over the working load: DEGRADED above [-], > 0.
-  double invalid_stddev = 0.5;          ///< likewise, INVALID above; >= degraded_stddev.
+  double position_stddev = 0.5;        ///< without covariance in the message [m], > 0.
+  double velocity_stddev = 0.1;        ///< likewise [m/s], > 0.
+  double latency = 0.0;                ///< how much older a measurement is than its stamp [s], 0..30.
+  std::optional<double> force_stddev;  ///< of the force that nobody tells [N], > 0; none: 0.18 m/s^2 times the
+                                       ///< mass.
+  double drag_stddev = 0.15;           ///< of the relative error of the drag areas [-], > 0.
+  ObserverGains gains = ObserverGains::KALMAN;
+  double degraded_stddev = 0.15;  ///< of a tension, over the working load: DEGRADED above [-], > 0.
+  double invalid_stddev = 0.5;    ///< likewise, INVALID above; >= degraded_stddev.
 };
 
 /// The whole parameter tree, checked and with its defaults in place.

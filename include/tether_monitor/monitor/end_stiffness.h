@@ -21,8 +21,8 @@ struct TensionSlope
 };
 
 /**
- * The tether's part in slow small motions of the vehicle: M a + C v + K x = force, (E4) of doc/estimation.md, fitted
- * to its EndImpedance at two rates of growth.
+ * The tether's part in slow small motions of the vehicle: M a + C v + K x = force, (E4) of doc/estimation.md,
+ * fitted to its EndImpedance at two rates of growth.
  */
 struct EndStiffness
 {
@@ -49,7 +49,7 @@ struct EndStiffness
  * @param wave_rate  how fast the errors of the vessel's motion are [1/s], > 0.
  * @return           false, and `fit` is as before, if a matrix is singular.
  */
-bool fitEndStiffness(core::EndImpedanceSolver& solver, const core::CableModel& model, const core::CableState& state,
-                     double wave_rate, EndStiffness& fit);
+bool fitEndStiffness(core::EndImpedanceSolver& solver, const core::CableModel& model,
+                     const core::CableState& state, double wave_rate, EndStiffness& fit);
 
 }  // namespace tether_monitor::monitor

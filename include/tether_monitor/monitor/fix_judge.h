@@ -8,12 +8,12 @@ namespace tether_monitor::monitor
 /// How the measured positions go with the model, for people.
 struct InnovationReport
 {
-  long accepted = 0;      ///< positions and velocities that corrected the estimate.
-  long refused = 0;       ///< that were too far off to be believed.
-  long reacquired = 0;    ///< times that those too far off were believed after all.
-  double scatter = 1.0;   ///< innovations over what they should be, root mean square [-].
-  double bias = 0.0;      ///< mean innovation over what chance would leave of it [-]; beyond 4 something is wrong.
-  double last = 0.0;      ///< size of the last innovation [m].
+  long accepted = 0;     ///< positions and velocities that corrected the estimate.
+  long refused = 0;      ///< that were too far off to be believed.
+  long reacquired = 0;   ///< times that those too far off were believed after all.
+  double scatter = 1.0;  ///< innovations over what they should be, root mean square [-].
+  double bias = 0.0;     ///< mean innovation over what chance would leave of it [-]; beyond 4 something is wrong.
+  double last = 0.0;     ///< size of the last innovation [m].
 
   template <class Archive>
   void archive(Archive& a)
@@ -25,9 +25,9 @@ struct InnovationReport
 /**
  * Decides which measurements of the vehicle are believed: (E14)-(E16) of doc/estimation.md.
  *
- * What is too far from the prediction is refused. Where refused positions go on to agree with each other, the gate was
- * wrong and they are believed; but if they contradict positions that were believed just before, it stays in question
- * which were right. Plain data.
+ * What is too far from the prediction is refused. Where refused positions go on to agree with each other, the gate
+ * was wrong and they are believed; but if they contradict positions that were believed just before, it stays in
+ * question which were right. Plain data.
  */
 class FixJudge
 {
@@ -59,10 +59,10 @@ class FixJudge
   double last_accepted_ = 0.0;
   double last_seen_ = 0.0;   // last position, believed or not
   double open_until_ = 0.0;  // nothing better is known so long
-  int refusals_ = 0;              // in a row that agree with each other
+  int refusals_ = 0;         // in a row that agree with each other
   core::Vector3 last_offset_ = core::Vector3::Zero();
   double last_refused_ = 0.0;
-  double square_ = 1.0;           // running mean of the squared distances, over three
+  double square_ = 1.0;  // running mean of the squared distances, over three
   core::Vector3 mean_ = core::Vector3::Zero();
   int samples_ = 0;
   double contested_until_ = -1e300;

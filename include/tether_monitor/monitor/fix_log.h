@@ -30,8 +30,8 @@ struct VehicleFix
 };
 
 /**
- * The last measurements of the vehicle in order of their own time, however they came in: late, out of order or twice.
- * Allocates only in the constructor.
+ * The last measurements of the vehicle in order of their own time, however they came in: late, out of order or
+ * twice. Allocates only in the constructor.
  */
 class FixLog
 {

@@ -5,8 +5,8 @@
 namespace tether_monitor::monitor
 {
 /**
- * How much a measured coordinate scatters, from the coordinate alone: fifth differences of evenly spaced values leave
- * hardly anything of a motion that the rate resolves (six samples a wave), and all of the noise, (E13) of
+ * How much a measured coordinate scatters, from the coordinate alone: fifth differences of evenly spaced values
+ * leave hardly anything of a motion that the rate resolves (six samples a wave), and all of the noise, (E13) of
  * doc/estimation.md. Plain data.
  */
 class Scatter

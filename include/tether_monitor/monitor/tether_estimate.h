@@ -65,20 +65,20 @@ struct TetherEstimate
   double tightest_bend = NONE;    ///< least bend radius for the alarm [m]: where a section has a limit of its own,
                                   ///< scaled to the limit of the whole tether.
   double tightest_bend_s = NONE;  ///< where [m].
-  double vessel_end_angle = NONE;       ///< of the tether below the horizontal at the vessel end [rad].
-  double vehicle_end_angle = NONE;      ///< the same at the vehicle end [rad].
-  double seabed_contact_length = NONE;  ///< unstretched length on the seabed [m]; 0 without a seabed.
-  double touchdown_s = NONE;            ///< first point on the seabed from the vessel end [m]; NaN if none is.
-  core::ContactSummary contact;         ///< places in the world frame; an entry for each obstacle.
-  BodyState vehicle;                    ///< of a simulated vehicle's centre of mass; see has_vehicle.
-  bool has_vehicle = false;             ///< in modes free and observed, unless INVALID.
-  double vessel_tension_stddev = NONE;     ///< standard deviation [N]; in mode observed, like all that follow.
-  double vehicle_tension_stddev = NONE;    ///< [N]
-  double vehicle_position_stddev = NONE;   ///< root mean square over the axes [m].
-  double vehicle_velocity_stddev = NONE;   ///< likewise [m/s].
+  double vessel_end_angle = NONE;         ///< of the tether below the horizontal at the vessel end [rad].
+  double vehicle_end_angle = NONE;        ///< the same at the vehicle end [rad].
+  double seabed_contact_length = NONE;    ///< unstretched length on the seabed [m]; 0 without a seabed.
+  double touchdown_s = NONE;              ///< first point on the seabed from the vessel end [m]; NaN if none is.
+  core::ContactSummary contact;           ///< places in the world frame; an entry for each obstacle.
+  BodyState vehicle;                      ///< of a simulated vehicle's centre of mass; see has_vehicle.
+  bool has_vehicle = false;               ///< in modes free and observed, unless INVALID.
+  double vessel_tension_stddev = NONE;    ///< standard deviation [N]; in mode observed, like all that follow.
+  double vehicle_tension_stddev = NONE;   ///< [N]
+  double vehicle_position_stddev = NONE;  ///< root mean square over the axes [m].
+  double vehicle_velocity_stddev = NONE;  ///< likewise [m/s].
   core::Vector3 disturbance = core::Vector3::Constant(NONE);  ///< estimated force that nobody told [N].
-  double disturbance_stddev = NONE;        ///< root mean square over the axes [N].
-  double vessel_age = NONE;             ///< age of the last vessel pose [s].
+  double disturbance_stddev = NONE;                           ///< root mean square over the axes [N].
+  double vessel_age = NONE;                                   ///< age of the last vessel pose [s].
   double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
   double payout_age = NONE;   ///< age of the last report of the winch [s]; NaN if nothing reports.
 
@@ -88,9 +88,9 @@ struct TetherEstimate
     a(time, status, reason, stations, has_stations, length, payout_rate, max_tension, max_tension_s, min_tension,
       min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
       breaking_utilisation, min_bend_radius, min_bend_radius_s, tightest_bend, tightest_bend_s, vessel_end_angle,
-      vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle,
-      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_velocity_stddev, disturbance,
-      disturbance_stddev, vessel_age, vehicle_age, payout_age);
+      vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle, vessel_tension_stddev,
+      vehicle_tension_stddev, vehicle_position_stddev, vehicle_velocity_stddev, disturbance, disturbance_stddev,
+      vessel_age, vehicle_age, payout_age);
   }
 };
 

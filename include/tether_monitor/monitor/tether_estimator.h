@@ -42,20 +42,20 @@ struct PoseMeasurement
 {
   static constexpr double UNTOLD = std::numeric_limits<double>::quiet_NaN();
 
-  double t = 0.0;  ///< its stamp [s].
-  core::Vector3 position = core::Vector3::Zero();                       ///< world frame [m].
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< body to world, unit.
-  core::Vector3 position_stddev = core::Vector3::Constant(UNTOLD);      ///< of every axis [m]; NaN: as configured;
-                                                                        ///< VesselFilter::UNMEASURED or more: none.
+  double t = 0.0;                                                   ///< its stamp [s].
+  core::Vector3 position = core::Vector3::Zero();                   ///< world frame [m].
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit.
+  core::Vector3 position_stddev = core::Vector3::Constant(UNTOLD);  ///< of every axis [m]; NaN: as configured;
+                                                                    ///< VesselFilter::UNMEASURED or more: none.
   double orientation_stddev = UNTOLD;  ///< [rad]; above 1: the orientation was not measured.
 };
 
 /// Measured rates of a body's reference point, world axes.
 struct RatesMeasurement
 {
-  double t = 0.0;                                                               ///< its stamp [s].
-  core::Vector3 velocity = core::Vector3::Zero();                               ///< [m/s]
-  core::Vector3 angular_velocity = core::Vector3::Zero();                       ///< [rad/s]
+  double t = 0.0;                                                                    ///< its stamp [s].
+  core::Vector3 velocity = core::Vector3::Zero();                                    ///< [m/s]
+  core::Vector3 angular_velocity = core::Vector3::Zero();                            ///< [rad/s]
   core::Vector3 velocity_stddev = core::Vector3::Constant(PoseMeasurement::UNTOLD);  ///< as position_stddev [m/s].
 };
 

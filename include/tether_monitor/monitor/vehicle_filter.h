@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tether_monitor/monitor/config.h"
 #include "tether_monitor/monitor/end_stiffness.h"
 
 namespace tether_monitor::monitor
@@ -7,21 +8,23 @@ namespace tether_monitor::monitor
 /// What the filter takes the unknown on the vehicle to be.
 struct DisturbanceModel
 {
-  double force = 1000.0;      ///< standard deviation of the force that nobody tells [N], > 0.
-  double vertical = .15;      ///< of both of its upward part: weight is known better than thrust, drag and current [-].
-  double force_walk = 10.0;   ///< how it wanders [N/sqrt(s)], > 0.
-  double drag = 0.3;          ///< standard deviation of the relative error of the drag areas [-], > 0.
-  double drag_walk = 0.003;   ///< how that wanders [1/sqrt(s)], > 0.
-  double reach = .01;         ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
-  double first_reach = .1;    ///< the same at the start, when the tether's shape is not known yet [m], > 0.
-  double acceleration = .002;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
+  double force = 1000.0;  ///< standard deviation of the force that nobody tells [N], > 0.
+  double vertical =
+      0.15;  ///< of both of its upward part: weight is known better than thrust, drag and current [-].
+  double force_walk = 10.0;  ///< how it wanders [N/sqrt(s)], > 0.
+  double drag = 0.3;         ///< standard deviation of the relative error of the drag areas [-], > 0.
+  double drag_walk = 0.003;  ///< how that wanders [1/sqrt(s)], > 0.
+  ObserverGains gains = ObserverGains::KALMAN;
+  double reach = 0.01;  ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
+  double first_reach = 0.1;     ///< the same at the start, when the tether's shape is not known yet [m], > 0.
+  double acceleration = 0.002;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
 };
 
 /**
  * Error-state Kalman filter of a vehicle on a tether: (E1)-(E9) of doc/estimation.md.
  *
- * The simulated vehicle is the nominal motion; the filter knows how far the mean of its belief is from there (error)
- * and how sure it is (covariance). Eleven states: position, velocity, disturbance force, relative error of
+ * The simulated vehicle is the nominal motion; the filter knows how far the mean of its belief is from there
+ * (error) and how sure it is (covariance). Eleven states: position, velocity, disturbance force, relative error of
  * the drag, error of the reach: the distance of the ends beyond what the model gives. The
  * nominal motion is not corrected by leaps: pull() is a force that brings it to the mean, and the filter knows it.
  * Plain data: copy it to save it.
@@ -71,7 +74,10 @@ class VehicleFilter
   core::Vector3 positionError() const { return error_.segment<3>(0) + error_[10] * stiffness_.chord; }
   core::Vector3 velocityError() const { return error_.segment<3>(3); }
   /// Best estimate of the disturbance [N], world axes, the part of the drag included.
-  core::Vector3 disturbance() const { return disturbance_ + drag_force_ + error_.segment<3>(6) + drag_ * error_[9]; }
+  core::Vector3 disturbance() const
+  {
+    return disturbance_ + drag_force_ + error_.segment<3>(6) + drag_ * error_[9];
+  }
   /// Best estimate of the relative error of the drag areas [-].
   double dragError() const { return drag_share_ + error_[9]; }
   const Matrix& covariance() const { return covariance_; }
@@ -89,9 +95,9 @@ class VehicleFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach, model_.first_reach, model_.acceleration, stiffness_, mass_inverse_,
-      error_, covariance_, disturbance_, drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_,
-      waiting_, unrest_);
+    a(model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach,
+      model_.first_reach, model_.acceleration, stiffness_, mass_inverse_, error_, covariance_, disturbance_,
+      drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_, waiting_, unrest_);
   }
 
  private:

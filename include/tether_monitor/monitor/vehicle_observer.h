@@ -15,9 +15,9 @@ namespace tether_monitor::monitor
 /**
  * A simulated vehicle that measurements correct, each at its own time: doc/estimation.md.
  *
- * Steps the tether and remembers what drove it; a measurement that comes late sets everything back to a saved state
- * before it and steps again. The filter pulls the simulated vehicle softly to where it believes it is, so that no
- * measurement is a shock to the tether. Steps without allocating.
+ * Steps the tether and remembers what drove it; a measurement that comes late sets everything back to a saved
+ * state before it and steps again. The filter pulls the simulated vehicle softly to where it believes it is, so
+ * that no measurement is a shock to the tether. Steps without allocating.
  */
 class VehicleObserver
 {
@@ -64,7 +64,8 @@ class VehicleObserver
    * @return        the stepping, that again included; as Stepper::advance().
    */
   core::SolveReport advance(core::CableModel& model, core::Stepper& stepper, const core::EndPaths& paths,
-                            const core::Vector3& vessel_stddev, double error_rate, double t, core::CableState& state);
+                            const core::Vector3& vessel_stddev, double error_rate, double t,
+                            core::CableState& state);
 
   /// Writes the vehicle and the standard deviations into an estimate whose tensions are known.
   void describe(TetherEstimate& estimate) const;
@@ -73,7 +74,8 @@ class VehicleObserver
   double begunAt() const { return begun_at_; }
   /// Age at time t [s] of the last position that was believed; infinite before the first.
   double age(double t) const;
-  /// Time for which measurements that were due have not come [s]: age less latency and two of their usual intervals.
+  /// Time for which measurements that were due have not come [s]: age less latency and two of their usual
+  /// intervals.
   double silence(double t) const;
   /// True while positions, tether and vehicle contradict each other.
   bool isDisputed(double t) const;
@@ -89,7 +91,8 @@ class VehicleObserver
   template <class Archive>
   void archive(Archive& a)
   {
-    a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_scale_, start_force_, start_place_, repeated_, steps_, saved_, newest_, interval_);
+    a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_scale_, start_force_, start_place_,
+      repeated_, steps_, saved_, newest_, interval_);
   }
 
  private:
@@ -135,7 +138,8 @@ class VehicleObserver
     }
   };
 
-  core::SolveReport make(const Step& step, core::CableModel& model, core::Stepper& stepper, core::CableState& state);
+  core::SolveReport make(const Step& step, core::CableModel& model, core::Stepper& stepper,
+                         core::CableState& state);
   core::SolveReport again(double from, core::CableModel& model, core::Stepper& stepper, core::CableState& state);
   void save(const core::CableModel& model, const core::CableState& state);
   void look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step, const core::CableModel& model,
@@ -150,7 +154,7 @@ class VehicleObserver
   std::optional<Eigen::Quaterniond> attitude_;
   core::Vector3 origin_ = core::Vector3::Zero();
   double begun_at_;
-  double start_scale_ = 1.0;  // of the usual disturbance
+  double start_scale_ = 1.0;   // of the usual disturbance
   double first_stddev_ = 0.0;  // of firstPosition() [m]
   core::Vector3 start_force_ = core::Vector3::Zero();
   core::Matrix3 start_place_ = core::Matrix3::Identity();  // covariance

@@ -9,16 +9,17 @@ namespace tether_monitor::monitor
 struct VehicleStart
 {
   core::NodeField shape;
-  core::Vector3 force = core::Vector3::Zero();       ///< [N], world axes.
+  core::Vector3 force = core::Vector3::Zero();      ///< [N], world axes.
   core::Matrix3 place = core::Matrix3::Identity();  ///< covariance of the position [m^2].
-  double cost = 0.0;  ///< what is minimised [-]; three is what chance would give.
+  double cost = 0.0;                                ///< what is minimised [-]; three is what chance would give.
 };
 
 /**
  * The likeliest steady state, given a measured place and a disturbance of unknown size: (E8) of doc/estimation.md.
  *
- * Minimises (distance from the measured place / its deviation)^2 + (force / its deviation)^2: over the force, from a
- * vehicle that hangs where the tether lets it, and with a vehicle held at the measured place; the better of the two.
+ * Minimises (distance from the measured place / its deviation)^2 + (force / its deviation)^2: over the force, from
+ * a vehicle that hangs where the tether lets it, and with a vehicle held at the measured place; the better of the
+ * two.
  *
  * @param model         with the simulated vehicle.
  * @param ends          with the measured place of the tether's end at the vehicle, and the common velocity.

@@ -13,9 +13,9 @@ namespace tether_monitor::monitor
 /**
  * Motion of the vessel's end of the tether out of noisy measurements: (E10)-(E13) of doc/estimation.md.
  *
- * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis has
- * its own filter, so that satellite positions and a heave sensor can take turns. Measurements may come late and out of
- * order within some seconds: the filters are set back and run again. Allocates only in the constructor.
+ * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis
+ * has its own filter, so that satellite positions and a heave sensor can take turns. Measurements may come late
+ * and out of order within some seconds: the filters are set back and run again. Allocates only in the constructor.
  */
 class VesselFilter
 {
@@ -58,8 +58,8 @@ class VesselFilter
   /// The straight way of the last seconds, without the motion in the waves.
   core::EndPoint way(double t) const;
   /**
-   * As at(), for a tether to follow: what a measurement corrects fades in, so that no correction is a shock to a taut
-   * tether. Calls in order of t.
+   * As at(), for a tether to follow: what a measurement corrects fades in, so that no correction is a shock to a
+   * taut tether. Calls in order of t.
    */
   Motion follow(double t);
   /// Begins to follow at time t [s] at `from` instead of at(t); the difference fades within some ten seconds.
@@ -74,8 +74,8 @@ class VesselFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, since_checkpoint_, last_measured_, first_, outliers_,
-      surprises_, shown_, shown_at_, offset_, following_since_);
+    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, since_checkpoint_, last_measured_, first_,
+      outliers_, surprises_, shown_, shown_at_, offset_, following_since_);
   }
 
  private:

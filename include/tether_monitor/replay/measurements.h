@@ -24,14 +24,14 @@ class Measurements
    * @param table  read with mayBeEmpty(). Columns: t, vessel_x..z, vehicle_x..z; optional vessel_vx..vz,
    * vehicle_vx..vz, vessel_qx..qw, vehicle_qx..qw, vessel_stddev, vehicle_stddev [m]. A row whose vessel_x and
    * vessel_y are empty measures the height alone.
-   * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not increase, no
-   * row, a measurement with a part missing, a standard deviation that is not > 0, a bad quaternion.
+   * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not
+   * increase, no row, a measurement with a part missing, a standard deviation that is not > 0, a bad quaternion.
    */
   explicit Measurements(const params::CsvTable& table);
 
   const std::vector<MeasurementRow>& rows() const { return rows_; }
-  /// Position and velocity of the vessel at the first row; the velocity measured, or of a straight line through the
-  /// rows of the first seconds.
+  /// Position and velocity of the vessel at the first row; the velocity measured, or of a straight line through
+  /// the rows of the first seconds.
   monitor::BodyState vesselAtFirstRow() const;
 
  private:

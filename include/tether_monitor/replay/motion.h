@@ -25,8 +25,8 @@ class Motion
  public:
   /**
    * @param table  columns as INTERFACES names them: t, vessel_x..z, vehicle_x..z, and the optional ones.
-   * @param mode   FREE: columns of the vehicle's motion are an error, thrust_x..z are known. OBSERVED: those of both
-   * bodies are Measurements and not looked at here.
+   * @param mode   FREE: columns of the vehicle's motion are an error, thrust_x..z are known. OBSERVED: those of
+   * both bodies are Measurements and not looked at here.
    * @throws std::runtime_error naming file and line or column: unknown or missing column, t that does not
    * increase, no row, a quaternion that is not of unit length.
    */

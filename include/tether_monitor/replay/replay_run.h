@@ -27,7 +27,8 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
                   Recorder& recorder);
 
 /**
- * Runs an estimator of mode observed over measurements, each known from its row's time on, as they would come in live.
+ * Runs an estimator of mode observed over measurements, each known from its row's time on, as they would come in
+ * live.
  *
  * Starts with the first position of the vehicle; until then the estimate is INVALID (NO_INPUT).
  *

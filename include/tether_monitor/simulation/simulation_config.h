@@ -86,7 +86,7 @@ struct SimulationConfig
   std::vector<WinchOrder> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
   SensorPlan vessel_sensor, vehicle_sensor;
-  HeavePlan heave;  ///< with it, the vessel's measurements are told as odometry with covariance.
+  HeavePlan heave;                 ///< with it, the vessel's measurements are told as odometry with covariance.
   double payout_rate = 10.0;       ///< reports of the winch per second [Hz]; 0: none.
   double payout_stddev = 0.0;      ///< [m], >= 0.
   bool publish_obstacles = false;  ///< tell the monitor of the obstacles live.
