@@ -12,7 +12,10 @@ constexpr double DAMPING = 0.05;                 // of the oscillators [-]: how 
 constexpr double MEMORY = 60.0;                  // [s] of what the waves are like
 constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // [rad/s]
 constexpr double LOWEST = 0.01, HIGHEST = 10.0;  // standard deviation of the wave motion [m]
-constexpr double LONGEST = 0.1;                  // [s] in one step
+constexpr double LEAK = 20.0;                    // [s] of the integral of the velocity
+constexpr double USUAL_RATE = 0.8, USUAL_HEIGHT = 0.3;  // [rad/s, m] before anything is known
+constexpr double NOTICE = 0.05, WILD = 36.0;            // share of a surprise in the running mean, largest square
+constexpr double LONGEST = 0.1;                         // [s] in one step
 
 using Row = Eigen::Matrix<double, 1, AxisFilter::STATES>;
 
@@ -42,13 +45,16 @@ Row AxisFilter::accelerationRow() const
 
 void AxisFilter::start(double t, double position, double position_stddev, double velocity, double velocity_stddev)
 {
+  if (!started_)
+  {
+    rate_ = USUAL_RATE;
+    height_ = USUAL_HEIGHT;
+    velocity_mean_ = velocity;
+    velocity_square_ = height_ * height_ * rate_ * rate_;
+    swing_square_ = height_ * height_;
+  }
   started_ = true;
   time_ = t;
-  rate_ = 0.8;
-  height_ = 0.3;
-  velocity_mean_ = velocity;
-  velocity_square_ = height_ * height_ * rate_ * rate_;
-  acceleration_square_ = velocity_square_ * rate_ * rate_;
   mean_.setZero();
   mean_[0] = position;
   mean_[1] = velocity;
@@ -90,20 +96,21 @@ AxisFilter::Matrix AxisFilter::noise(double dt) const
   Q(4, 4) = wave * dt;
   Q(3, 4) = Q(4, 3) = 0.5 * wave * dt * dt;
   Q(3, 3) = wave * dt * dt * dt / 3.0;
-  return Q;
+  return std::pow(std::max(restless_, 1.0), 2) * Q;
 }
 
-// How fast and how high the waves are, from velocity and acceleration of the whole motion less their slow means.
+// How fast and how high the waves are, from the velocity less its slow mean and from the integral of that.
 void AxisFilter::learn(double dt)
 {
-  const double velocity = velocityRow().dot(mean_), acceleration = accelerationRow().dot(mean_);
-  velocity_mean_ += (1.0 - std::exp(-dt / MEMORY)) * (velocity - velocity_mean_);
   const double share = 1.0 - std::exp(-dt / MEMORY);
+  const double velocity = velocityRow().dot(mean_);
+  velocity_mean_ += share * (velocity - velocity_mean_);
   const double v = velocity - velocity_mean_;
+  swing_ += dt * (v - swing_ / LEAK);
   velocity_square_ += share * (v * v - velocity_square_);
-  acceleration_square_ += share * (acceleration * acceleration - acceleration_square_);
-  rate_ = std::clamp(std::sqrt(acceleration_square_ / std::max(velocity_square_, 1e-12)), SLOWEST, FASTEST);
-  height_ = std::clamp(std::sqrt(velocity_square_) / rate_, LOWEST, HIGHEST);
+  swing_square_ += share * (swing_ * swing_ - swing_square_);
+  rate_ = std::clamp(std::sqrt(velocity_square_ / std::max(swing_square_, 1e-12)), SLOWEST, FASTEST);
+  height_ = std::clamp(std::sqrt(swing_square_), LOWEST, HIGHEST);
 }
 
 void AxisFilter::predict(double t)
@@ -120,10 +127,16 @@ void AxisFilter::predict(double t)
   }
 }
 
+void AxisFilter::note(double surprise)
+{
+  restless_ += NOTICE * (std::min(surprise * surprise, WILD) - restless_);
+}
+
 void AxisFilter::correct(const Row& H, double value, double stddev)
 {
   const Vector column = covariance_ * H.transpose();
   const double S = H.dot(column) + stddev * stddev;
+  note((value - H.dot(mean_)) / std::sqrt(S));
   mean_ += column * ((value - H.dot(mean_)) / S);
   covariance_ -= column * column.transpose() / S;
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();

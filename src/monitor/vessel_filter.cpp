@@ -72,6 +72,8 @@ Rejection VesselFilter::add(const Entry& told)
   for (int i = 0; i < 3; ++i)
   {
     const bool is_measured = !(entry.stddev[i] > UNMEASURED);
+    if (std::isnan(entry.stddev[i]))
+      entry.stddev[i] = 0.0;
     if (is_measured && !std::isfinite(entry.value[i]))
       return Rejection::NOT_FINITE;
     if (!is_measured)
@@ -152,7 +154,8 @@ void VesselFilter::run(const Entry& entry)
       filter.correctVelocity(entry.value[i], entry.stddev[i]);
       continue;
     }
-    if (std::abs(filter.surprise(entry.value[i], entry.stddev[i])) < GATE)
+    const double surprise = filter.surprise(entry.value[i], entry.stddev[i]);
+    if (std::abs(surprise) < GATE)
     {
       surprises_[i] = 0;
       filter.correctPosition(entry.value[i], entry.stddev[i]);
@@ -160,11 +163,14 @@ void VesselFilter::run(const Entry& entry)
     else if (++surprises_[i] >= CONVINCED)
     {
       surprises_[i] = 0;
+      filter.note(surprise);
       filter.start(entry.t, entry.value[i], entry.stddev[i], filter.at(entry.t).velocity, 1.0);
     }
     else
     {
       ++outliers_;
+      if (surprises_[i] > 1)
+        filter.note(surprise);
     }
   }
 }

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "navigation.h"
 
@@ -50,6 +53,60 @@ double shareOf(const Trail& trail, Status status, double from, double to)
 }
 }  // namespace
 
+// Two seeds of each; scripts/bench navigation_noise has the whole study.
+TEST(Navigation, TheTensionIsKnownAndSoIsItsBand)
+{
+  double one = 0.0, two = 0.0;
+  int runs = 0;
+  for (const char* name : {"C", "D", "G"})
+    for (const bool is_wrong : {false, true})
+    {
+      const double size = std::string(name) == "G" ? 100.0 : std::string(name) == "D" ? 1000.0 : 0.0;
+      const Truth truth = makeTruth(caseNamed(name), 0.0, (is_wrong ? size : 0.0) * core::Vector3(-0.8, 0.6, 0.0));
+      for (const unsigned seed : {1u, 2u})
+      {
+        Sensors sensors;
+        sensors.seed = seed;
+        Knowledge knowledge;
+        knowledge.drag_factor = is_wrong ? 1.3 : 1.0;
+        monitor::Config config = configFor(truth, knowledge, VehicleMode::OBSERVED, sensors);
+        if (is_wrong && truth.of.name == "C")
+          config.vehicle_body.force.setZero();  // the thousand newtons that it has
+        const Trail trail = observe(truth, config, sensors);
+        const Score s = score(truth, trail);
+        EXPECT_LT(s.rms, is_wrong ? 0.05 : 0.022) << name << seed;
+        EXPECT_LT(std::abs(s.peak), 0.1) << name << seed;
+        EXPECT_FALSE(trail.limit_alarm) << name << seed;
+        EXPECT_GT(s.ok, 0.95) << name << seed;
+        one += s.within_1;
+        two += s.within_2;
+        ++runs;
+      }
+    }
+  EXPECT_NEAR(one / runs, 0.68, 0.1);
+  EXPECT_NEAR(two / runs, 0.95, 0.1);
+}
+
+TEST(Navigation, TheHeldEndIsWorthlessOnTheSameData)
+{
+  const Truth truth = makeTruth(caseNamed("C"), 0.0, core::Vector3::Zero());
+  Sensors sensors;
+  sensors.outliers = 0.0;
+  const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::TRACKED, sensors), sensors);
+  EXPECT_GT(score(truth, trail).rms, 1.0);
+}
+
+TEST(Navigation, SlowerAndLaterPositionsAreStillGood)
+{
+  const Truth truth = makeTruth(caseNamed("D"), 150.0, core::Vector3::Zero());
+  Sensors slow;
+  slow.latency = 3.0;
+  slow.fix_interval = 2.0;
+  EXPECT_LT(score(truth, observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, slow), slow)).rms,
+            0.05)
+      << "every other second, three seconds late";
+}
+
 TEST(Navigation, AGapInTheTurnIsCoveredByTheBand)
 {
   const Truth truth = makeTruth(caseNamed("D"), 0.0, core::Vector3::Zero());
@@ -71,61 +128,74 @@ TEST(Navigation, AGapInTheTurnIsCoveredByTheBand)
   EXPECT_FALSE(trail.limit_alarm);
 }
 
+namespace
+{
+struct Fault
+{
+  const char* what;
+  std::function<bool(double, core::Vector3&)> change;
+  bool shows_at_rest = true;  // whether a vehicle that keeps its station betrays it
+};
+
+std::vector<Fault> faults()
+{
+  const auto stuck = std::make_shared<core::Vector3>(core::Vector3::Zero());
+  const auto freeze = [stuck](double t, core::Vector3& p)
+  {
+    *stuck = t < 100.0 ? p : *stuck;
+    p = *stuck;
+    return true;
+  };
+  const auto shift = [](const core::Vector3& by)
+  {
+    return [by](double t, core::Vector3& p)
+    {
+      p += t > 100.0 ? by : core::Vector3::Zero();
+      return true;
+    };
+  };
+  return {{"frozen", freeze},
+          {"frozen but for its noise",
+           [=](double t, core::Vector3& p)
+           {
+             freeze(t, p);
+             p += 0.3 * core::Vector3(std::sin(17.0 * t), std::sin(23.0 * t), std::sin(31.0 * t));
+             return true;
+           },
+           false},
+          {"teleporting",
+           [](double t, core::Vector3& p)
+           {
+             const double place = std::floor(t / 7.0);
+             if (t > 100.0)
+               p += 60.0 * core::Vector3(std::sin(2.3 * place), std::cos(1.7 * place), 0.3);
+             return true;
+           }},
+          {"100 m aside", shift({0.0, 100.0, 0.0})},
+          {"100 m too deep", shift({0.0, 0.0, -100.0})}};
+}
+}  // namespace
+
 TEST(Navigation, FaultyPositionsNeverPassForGood)
 {
   for (const char* name : {"C", "D", "G"})
   {
     const Truth truth = makeTruth(caseNamed(name), 400.0, core::Vector3::Zero());
-    const auto run = [&](const char* what, std::function<bool(double, core::Vector3&)> fault)
+    for (const Fault& fault : faults())
     {
       Sensors sensors;
-      sensors.fault = std::move(fault);
-      monitor::Config config = configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors);
-      const Trail trail = observe(truth, config, sensors);
-      EXPECT_LE(longestLie(truth, trail, 100.0), 2.0) << name << ", " << what;
-      EXPECT_LT(shareOf(trail, Status::OK, 125.0, 400.0), 0.5) << name << ", " << what << ": it is seen";
-      const Score s = score(truth, trail, 60.0);
-      printf("%s %s: lie %.1f s ok %.2f rms %.2f%% peak %.1f%% valid %.2f refused %ld reacquired %ld\n", name,
-             what, longestLie(truth, trail, 100.0), shareOf(trail, Status::OK, 125.0, 400.0), 100 * s.rms,
-             100 * s.peak, s.valid, trail.innovations.refused, trail.innovations.reacquired);
-    };
-    core::Vector3 stuck = core::Vector3::Zero();
-    run("frozen",
-        [&](double t, core::Vector3& p)
-        {
-          stuck = t < 100.0 ? p : stuck;
-          p = stuck;
-          return true;
-        });
-    run("frozen with noise",
-        [&](double t, core::Vector3& p)
-        {
-          stuck = t < 100.0 ? p : stuck;
-          p = stuck + 0.3 * core::Vector3(std::sin(17.0 * t), std::sin(23.0 * t), std::sin(31.0 * t));
-          return true;
-        });
-    run("teleporting",
-        [&](double t, core::Vector3& p)
-        {
-          if (t > 100.0)
-            p += 60.0 *
-                 core::Vector3(std::sin(std::floor(t / 7.0) * 2.3), std::cos(std::floor(t / 7.0) * 1.7), 0.3);
-          return true;
-        });
-    run("100 m wrong",
-        [&](double t, core::Vector3& p)
-        {
-          if (t > 100.0)
-            p.y() += 100.0;
-          return true;
-        });
-    run("100 m too deep",
-        [&](double t, core::Vector3& p)
-        {
-          if (t > 100.0)
-            p.z() -= 100.0;
-          return true;
-        });
+      sensors.fault = fault.change;
+      const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors), sensors);
+      EXPECT_LE(longestLie(truth, trail, 60.0), 2.0) << name << ", " << fault.what;
+      if (fault.shows_at_rest || std::string(name) != "G")
+      {
+        EXPECT_LT(shareOf(trail, Status::OK, 110.0, 400.0), 0.02) << name << ", " << fault.what << ": it is seen";
+      }
+      if (std::string(name) != "G")
+      {
+        EXPECT_LT(std::abs(score(truth, trail).peak), 0.1) << name << ", " << fault.what << ": nothing follows it";
+      }
+    }
   }
 }
 
@@ -137,8 +207,7 @@ TEST(Navigation, ATautTetherThatIsTooShortSaysSo)
   knowledge.length_factor = 0.99;
   const Trail trail = observe(truth, configFor(truth, knowledge, VehicleMode::OBSERVED, sensors), sensors);
   const Score s = score(truth, trail, 20.0);
-  printf("short: rms %.2f%% peak %.1f%% ok %.2f valid %.2f\n", 100 * s.rms, 100 * s.peak, s.ok, s.valid);
-  EXPECT_LT(s.peak, 0.25) << "no spike";
+  EXPECT_LT(s.peak, 0.1) << "no spike";
   EXPECT_LT(shareOf(trail, Status::OK, 20.0, 200.0), 0.02);
   EXPECT_TRUE(std::count(trail.reason.begin(), trail.reason.end(), Reason::OUT_OF_RANGE) > 2000);
 }

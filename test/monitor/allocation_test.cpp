@@ -73,6 +73,37 @@ TEST(Allocation, ATickTakesNothingFromTheHeapAfterTheStart)
   EXPECT_TRUE(feeder.estimator.overTension()) << "it did something";
 }
 
+TEST(Allocation, NorDoesAnObservedVehicle)
+{
+  Config config = testConfig();
+  config.vehicle_mode = VehicleMode::OBSERVED;
+  config.vehicle_body.mass = 150.0;
+  config.vehicle_body.volume = 0.1;
+  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
+  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  TetherEstimator estimator(config);
+  const auto run = [&](int from, int to)
+  {
+    for (int i = from; i < to; ++i)
+    {
+      const double t = 0.05 * i, wave = std::sin(0.7 * t);
+      estimator.addVessel(PoseMeasurement{t, {0.0, 0.0, 1.0 + 0.3 * wave}});
+      if (i % 5 == 0)  // satellites a little late
+        estimator.addVessel(PoseMeasurement{t - 0.07, {0.0, 0.0, 1.0 + 0.3 * std::sin(0.7 * (t - 0.07))}});
+      if (i % 20 == 0)  // a position a second late, some far off
+        estimator.addVehicle(PoseMeasurement{t - 1.0, {i % 200 == 0 ? 30.0 : 0.3 * wave, 0.01 * wave, -98.9}});
+      estimator.tick(t);
+    }
+  };
+  run(0, 600);
+  ASSERT_NE(estimator.estimate().status, Status::INVALID) << "precondition";
+  const long before = allocations;
+  run(600, 3000);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_GT(estimator.observer().repeatedSteps(), 1000);
+  EXPECT_GT(estimator.observer().innovations().refused, 3);
+}
+
 TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)
 {
   Config config = testConfig();

@@ -122,7 +122,10 @@ TEST(ObservedVehicle, LateMeasurementsGiveTheSameAsThoseInTime)
     in_time.t = late.t = t;
     const PoseMeasurement vessel{t, in_time.vessel};
     if (i % 4 == 0)
-      in_time.estimator.addVessel(vessel), late.estimator.addVessel(vessel);
+    {
+      in_time.estimator.addVessel(vessel);
+      late.estimator.addVessel(vessel);
+    }
     if (i % 20 == 10)
     {
       in_time.estimator.addVehicle(PoseMeasurement{t, in_time.vehicleAt(t)});

@@ -35,6 +35,9 @@ class AxisFilter
   void predict(double t);
   void correctPosition(double position, double stddev);
   void correctVelocity(double velocity, double stddev);
+  /// Takes note of an innovation, over its standard deviation: those that go on to be too large make the filter
+  /// follow faster until it has learnt why.
+  void note(double surprise);
   /// Innovation of a position over its standard deviation [-].
   double surprise(double position, double stddev) const;
   /// At time t [s], not before time(); the filter stays where it is.
@@ -46,8 +49,8 @@ class AxisFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_,
-      acceleration_square_);
+    a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, swing_,
+      swing_square_, restless_);
   }
 
  private:
@@ -62,8 +65,9 @@ class AxisFilter
   Vector mean_ = Vector::Zero();
   Matrix covariance_ = Matrix::Identity();
   double manoeuvre_;
-  double rate_ = 0.8, height_ = 0.3;
-  double velocity_mean_ = 0.0, velocity_square_ = 0.0, acceleration_square_ = 0.0;  // running
+  double rate_ = 0.0, height_ = 0.0;
+  double velocity_mean_ = 0.0, velocity_square_ = 0.0, swing_ = 0.0, swing_square_ = 0.0;  // running means
+  double restless_ = 1.0;  // running mean of squared surprises
 };
 
 }  // namespace tether_monitor::monitor

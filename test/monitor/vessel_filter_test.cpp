@@ -1,0 +1,172 @@
+#include "tether_monitor/monitor/vessel_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+using core::Vector3;
+
+constexpr double UNMEASURED = 1e3;
+
+// A vessel under way in waves, with satellites at 5 Hz and a heave sensor at 20 Hz.
+struct Passage
+{
+  explicit Passage(double wave_period = 8.0, unsigned seed = 1) : w(2.0 * M_PI / wave_period), generator(seed) {}
+
+  core::EndPoint at(double t) const
+  {
+    return {{3.0 * t, 0.3 * std::sin(w * t), 2.0 + std::sin(w * t)},
+            {3.0, 0.3 * w * std::cos(w * t), w * std::cos(w * t)}};
+  }
+  double noise(double stddev) { return stddev * normal(generator); }
+
+  double w;
+  std::mt19937 generator;
+  std::normal_distribution<double> normal;
+};
+
+struct Errors
+{
+  double place = 0.0, speed = 0.0, jump = 0.0, expected = 0.0;
+};
+
+Errors sail(Passage& passage, double stddev_told, VesselFilter& filter)
+{
+  Errors e;
+  core::EndPoint last;
+  int n = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double t = 0.05 * i;
+    const core::EndPoint truth = passage.at(t);
+    if (i % 4 == 0)
+      filter.addPosition(t,
+                         truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+                         Vector3::Constant(stddev_told));
+    filter.addPosition(t, {0.0, 0.0, truth.position.z() + passage.noise(0.03)},
+                       {UNMEASURED, UNMEASURED, stddev_told > 0.0 ? 0.03 : stddev_told});
+    const VesselFilter::Motion m = filter.follow(t);
+    if (t > 60.0)
+    {
+      e.place += std::pow(m.end.position.z() - truth.position.z(), 2);
+      e.speed += std::pow(m.end.velocity.z() - truth.velocity.z(), 2);
+      e.expected += std::pow(m.position_stddev.z(), 2);
+      e.jump = std::max(e.jump, std::abs(m.end.velocity.z() - last.velocity.z()) / 0.05);
+      ++n;
+    }
+    last = m.end;
+  }
+  return {std::sqrt(e.place / n), std::sqrt(e.speed / n), e.jump, std::sqrt(e.expected / n)};
+}
+}  // namespace
+
+TEST(VesselFilter, SmoothsWavesOfAnyUsualPeriod)
+{
+  for (const double period : {5.0, 8.0, 12.0, 16.0})
+  {
+    Passage passage(period);
+    VesselFilter filter;
+    const Errors e = sail(passage, 0.02, filter);
+    EXPECT_LT(e.place, 0.025) << period;
+    EXPECT_LT(e.speed, 0.06) << period;
+    EXPECT_LT(e.jump, 1.5 * passage.w * passage.w + 0.1) << period << ": no shocks";
+    EXPECT_NEAR(filter.axis(2).waveRate(), passage.w, 0.15 * passage.w);
+    EXPECT_NEAR(filter.axis(2).waveHeight(), std::sqrt(0.5), 0.15);
+    EXPECT_NEAR(e.expected, e.place, 0.7 * e.place) << period << ": it knows how good it is";
+  }
+}
+
+TEST(VesselFilter, FindsOutHowMuchPositionsScatter)
+{
+  Passage told(8.0), untold(8.0);
+  VesselFilter a, b;
+  const double known = sail(told, 0.02, a).place, found = sail(untold, std::nan(""), b).place;
+  EXPECT_LT(found, 1.5 * known);
+}
+
+TEST(VesselFilter, LateMeasurementsTakeTheirPlace)
+{
+  Passage passage;
+  VesselFilter in_order, shuffled;
+  for (int i = 0; i < 600; i += 2)
+  {
+    const Vector3 a = passage.at(0.1 * i).position + Vector3::Constant(passage.noise(0.02));
+    const Vector3 b = passage.at(0.1 * i + 0.1).position + Vector3::Constant(passage.noise(0.02));
+    const Vector3 stddev = Vector3::Constant(0.02);
+    EXPECT_EQ(in_order.addPosition(0.1 * i, a, stddev), Rejection::NONE);
+    EXPECT_EQ(in_order.addPosition(0.1 * i + 0.1, b, stddev), Rejection::NONE);
+    EXPECT_EQ(shuffled.addPosition(0.1 * i + 0.1, b, stddev), Rejection::NONE);
+    const Rejection late = shuffled.addPosition(0.1 * i, a, stddev);
+    if (i > 16)
+    {
+      EXPECT_EQ(late, Rejection::NONE) << i;
+    }
+  }
+  EXPECT_LT((in_order.at(60.0).end.position - shuffled.at(60.0).end.position).norm(), 1e-3);
+  EXPECT_EQ(shuffled.addPosition(1.0, Vector3::Zero(), Vector3::Constant(0.02)), Rejection::OUT_OF_ORDER)
+      << "far too late";
+  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)), Rejection::NONE);
+  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)),
+            Rejection::OUT_OF_ORDER)
+      << "twice";
+}
+
+TEST(VesselFilter, AnOutlierIsLeftOutAndALeapBelievedInTheEnd)
+{
+  VesselFilter filter;
+  const Vector3 stddev = Vector3::Constant(0.05);
+  double t = 0.0;
+  for (; t < 30.0; t += 0.2)
+    filter.addPosition(t, Vector3::Zero(), stddev);
+  filter.addPosition(t, Vector3(30.0, 0.0, 0.0), stddev);
+  EXPECT_LT(filter.at(t).end.position.norm(), 0.1);
+  EXPECT_EQ(filter.outliers(), 1);
+  for (int i = 0; i < 10; ++i)
+    filter.addPosition(t += 0.2, Vector3(30.0, 0.0, 0.0), stddev);
+  EXPECT_NEAR(filter.at(t).end.position.x(), 30.0, 0.5);
+}
+
+TEST(VesselFilter, KnowsWhenItIsReadyAndHowOldItIs)
+{
+  VesselFilter filter;
+  EXPECT_FALSE(filter.hasPosition());
+  EXPECT_TRUE(std::isinf(filter.age(0.0)));
+  for (double t = 0.0; t < 4.0; t += 0.05)
+    filter.addPosition(t, {0.0, 0.0, 1.0}, {UNMEASURED, UNMEASURED, 0.03});
+  EXPECT_FALSE(filter.hasPosition()) << "a heave sensor alone is no position";
+  for (double t = 4.0; t < 20.0; t += 0.2)
+    filter.addPosition(t, {0.0, 0.0, 1.0}, Vector3::Constant(0.02));
+  EXPECT_TRUE(filter.isReady(20.0));
+  for (double t = 20.0; t < 25.0; t += 0.05)
+    filter.addPosition(t, {0.0, 0.0, 1.0}, {UNMEASURED, UNMEASURED, 0.03});
+  EXPECT_NEAR(filter.age(25.0), 5.1, 0.15) << "heave goes on, the position has stopped";
+  EXPECT_GT(filter.at(25.0).position_stddev.x(), filter.at(25.0).position_stddev.z());
+  EXPECT_EQ(filter.way(25.0).velocity.z(), 0.0);
+}
+
+TEST(Scatter, IsTheNoiseAndNotTheMotion)
+{
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal;
+  Scatter noisy, smooth, uneven;
+  EXPECT_EQ(noisy.stddev(), Scatter::UNKNOWN);
+  for (int i = 0; i < 400; ++i)
+  {
+    const double t = 0.2 * i, motion = 3.0 * t + std::sin(0.785 * t);
+    noisy.add(t, motion + 0.04 * normal(generator));
+    smooth.add(t, motion);
+    uneven.add(t * t, motion);
+  }
+  EXPECT_NEAR(noisy.stddev(), 0.04, 0.008);
+  EXPECT_LT(smooth.stddev(), 0.001);
+  EXPECT_GE(uneven.stddev(), Scatter::LEAST);
+  noisy.add(1e4, std::nan(""));
+  noisy.add(0.0, 1.0);
+  EXPECT_TRUE(std::isfinite(noisy.stddev()));
+}
+}  // namespace tether_monitor::monitor
