@@ -61,6 +61,8 @@ const char* describe(Rejection rejection)
       return "there is a measurement of that stamp already";
     case Rejection::TOO_LATE:
       return "it is older than what can still be put in its place (vehicle.latency tells how late they are)";
+    case Rejection::NOT_MEASURED:
+      return "its covariance says that the position was not measured";
     case Rejection::STUCK:
       return "the position repeats to the last digit: its source has stopped";
   }

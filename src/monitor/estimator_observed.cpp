@@ -38,6 +38,8 @@ bool isMissing(Rejection rejection)
 
 Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
 {
+  if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselFilter::UNMEASURED)
+    return Rejection::NOT_MEASURED;
   const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
   const Eigen::Quaterniond orientation = turns ? m.orientation : vessel_.lastOrientation();
   const Rejection rejection = vessel_.addPose(m.t, m.position, orientation);
@@ -60,6 +62,8 @@ Rejection TetherEstimator::addVessel(const RatesMeasurement& m)
 
 Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
 {
+  if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselFilter::UNMEASURED)
+    return Rejection::NOT_MEASURED;
   const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
   const Rejection rejection =
       vehicle_.addPose(m.t, m.position, turns ? m.orientation : vehicle_.lastOrientation());

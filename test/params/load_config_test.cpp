@@ -218,6 +218,32 @@ TEST(LoadConfig, AFreeVehicleNeedsItsBody)
             std::vector<std::string>{"vehicle.mode = 'loose' (must be tracked, free or observed)"});
 }
 
+TEST(LoadConfig, AnObservedVehicleHasItsNavigation)
+{
+  const Value::List three{0.4, 0.4, 0.4};
+  Value::Map vehicle{{"mode", std::string("observed")}, {"mass", 1000.0},         {"volume", 1.0},
+                     {"inertia", Value(three)},         {"drag_area", Value(three)}, {"position_stddev", 0.3},
+                     {"latency", 1.5},                  {"force_stddev", 250.0}};
+  const Value::Map vessel{{"position_stddev", 0.02}};
+  const monitor::Config c =
+      loadConfig(tree(tetherKeys(), {{"vehicle", Value(vehicle)}, {"vessel", Value(vessel)}}), "/test");
+  EXPECT_EQ(c.vehicle_mode, monitor::VehicleMode::OBSERVED);
+  EXPECT_EQ(c.navigation.position_stddev, 0.3);
+  EXPECT_EQ(c.navigation.latency, 1.5);
+  EXPECT_EQ(*c.navigation.force_stddev, 250.0);
+  EXPECT_EQ(*c.vessel.position_stddev, 0.02);
+  EXPECT_FALSE(c.vessel.velocity_stddev);
+  vehicle["position_stddev"] = 0.0;
+  vehicle["latency"] = -1.0;
+  vehicle["drag_stddev"] = -0.1;
+  EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vehicle", Value(vehicle)}})),
+            (std::vector<std::string>{"vehicle.position_stddev = 0 (must be > 0 m)",
+                                      "vehicle.latency = -1 (must be >= 0 and <= 30 s)",
+                                      "vehicle.drag_stddev = -0.1 (must be > 0 [-])"}));
+  vehicle = {{"mode", std::string("tracked")}, {"latency", 1.0}};
+  EXPECT_TRUE(faultsOf(tree(tetherKeys(), {{"vehicle", Value(vehicle)}})).empty()) << "a file for another mode";
+}
+
 TEST(LoadConfig, KeysOfRosItselfAreAllowed)
 {
   EXPECT_TRUE(faultsOf(tree(tetherKeys(), {{"diagnostic_period", Value(1.0)}})).empty());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -89,6 +90,116 @@ TEST(ReplayRun, AFolderThatCannotBeMadeIsNamed)
   {
     EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
   }
+}
+
+namespace
+{
+monitor::Config observedConfig()
+{
+  monitor::Config c = monitor::testConfig();
+  c.vehicle_mode = monitor::VehicleMode::OBSERVED;
+  c.vehicle_body.mass = 400.0;
+  c.vehicle_body.volume = 0.35;
+  c.vehicle_body.inertia = core::Vector3::Constant(50.0);
+  c.vehicle_body.drag_area = core::Vector3::Constant(0.6);
+  c.invalid_timeout = 10.0;
+  return c;
+}
+
+std::string observedFile(const std::string& name, const std::string& rows)
+{
+  const std::string path = ::testing::TempDir() + "tether_monitor_" + name + ".csv";
+  std::ofstream(path) << rows;
+  return path;
+}
+
+params::CsvTable observedTable(const std::string& rows)
+{
+  return params::readCsv(observedFile("observed", rows), mayBeEmpty);
+}
+
+std::string faultOf(const std::string& rows)
+{
+  try
+  {
+    const params::CsvTable table = observedTable(rows);
+    Measurements measurements(table);
+    Motion motion(table, monitor::VehicleMode::OBSERVED);
+    return "";
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string text = error.what();
+    return text.substr(text.find(", line") == std::string::npos ? 0 : text.find(", line") + 2);
+  }
+}
+const std::string HEADER = "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z";
+}  // namespace
+
+TEST(Measurements, AnEmptyFieldIsNone)
+{
+  const Measurements m(observedTable(HEADER + ",vehicle_stddev,payout\n"
+                                              "0,0,0,1,,,,,100\n"
+                                              "0.1,,,1.2,1,2,-98,0.4,100\n"
+                                              "0.2,0.3,0,1,3,4,-98,,100\n"));
+  ASSERT_EQ(m.rows().size(), 3u);
+  EXPECT_FALSE(m.rows()[0].vehicle);
+  EXPECT_EQ(m.rows()[1].vehicle->position_stddev.x(), 0.4);
+  EXPECT_GT(m.rows()[1].vessel->position_stddev.x(), monitor::VesselFilter::UNMEASURED) << "the height alone";
+  EXPECT_TRUE(std::isnan(m.rows()[1].vessel->position_stddev.z()));
+  EXPECT_TRUE(std::isnan(m.rows()[2].vehicle->position_stddev.x())) << "as configured";
+  EXPECT_NEAR(m.vesselAtFirstRow().velocity.x(), 1.5, 1e-9);
+}
+
+TEST(Measurements, FaultsAreNamedWithTheirLine)
+{
+  EXPECT_NE(faultOf("t,vessel_x,vessel_y,vessel_z\n0,0,0,1\n").find("vehicle_x is missing"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + ",vehicle_speed\n0,0,0,1,,,,1\n").find("vehicle_speed is not known"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + ",speed\n0,0,0,1,,,,1\n").find("speed is not known"), std::string::npos);
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,,3\n"), "line 2: vehicle_x, y and z must all be there or all be empty");
+  EXPECT_EQ(faultOf(HEADER + "\n0,,,,1,2,3\n"), "line 2: the first row must have the vessel's position");
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,2,3\n0,0,0,1,1,2,3\n"),
+            "line 3: t does not increase from the row before");
+  EXPECT_EQ(faultOf(HEADER + ",vehicle_stddev\n0,0,0,1,1,2,3,-1\n"), "line 2: vehicle_stddev must be > 0 m");
+  EXPECT_EQ(faultOf(HEADER + ",vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw\n0,0,0,1,1,2,3,0,0,0,2\n"),
+            "line 2: vehicle_q is not a unit quaternion");
+  EXPECT_NE(faultOf(HEADER + ",payout\n0,0,0,1,1,2,3,\n").find("column payout is empty"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + "\n0,0,0,1,1,2,nan\n").find("not finite"), std::string::npos);
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,,,\n"), "");
+}
+
+TEST(ReplayRun, AnObservedVehicleStartsWithItsFirstPosition)
+{
+  std::string rows = HEADER + "\n";
+  for (int i = 0; i <= 600; ++i)
+  {
+    rows += std::to_string(0.1 * i) + ",0,0," + std::to_string(1.0 + 0.2 * std::sin(0.08 * i));
+    rows += i % 10 == 0 && i >= 20 ? ",0." + std::to_string(i % 7) + ",0.1,-98.9\n" : ",,,\n";
+  }
+  const params::CsvTable table = observedTable(rows);
+  const std::string folder = ::testing::TempDir() + "tether_monitor_replay_observed";
+  monitor::TetherEstimator estimator(observedConfig());
+  {
+    Recorder recorder(folder, 0.0, VehicleColumns::OBSERVED);
+    replayMeasurements(Measurements(table), Motion(table, monitor::VehicleMode::OBSERVED), ReplayOptions(), estimator,
+                       recorder);
+    recorder.finish(estimator);
+  }
+  std::ifstream in(folder + "/ends.csv");
+  std::string line;
+  std::getline(in, line);
+  EXPECT_NE(line.find(",status,vehicle_x,vehicle_y,vehicle_z,"), std::string::npos);
+  EXPECT_NE(line.find(",vessel_tension_stddev,vehicle_tension_stddev"), std::string::npos);
+  int invalid = 0, valid = 0;
+  while (std::getline(in, line))
+  {
+    const bool is_invalid = line.find("INVALID") != std::string::npos;
+    EXPECT_EQ(is_invalid, line.find("nan") != std::string::npos) << line;
+    (is_invalid ? invalid : valid) += 1;
+  }
+  EXPECT_EQ(invalid, 20) << "until the first position";
+  EXPECT_EQ(valid, 581);
+  EXPECT_NEAR(estimator.estimate().vehicle.position.z(), -98.9, 0.5);
 }
 
 }  // namespace tether_monitor::replay

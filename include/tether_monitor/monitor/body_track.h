@@ -35,6 +35,7 @@ enum class Rejection
   OUT_OF_ORDER,    ///< not later than the last one of its kind.
   REPEATED,        ///< there is one of that time already.
   TOO_LATE,        ///< older than what can still be put in its place.
+  NOT_MEASURED,    ///< its standard deviation says that the position was not measured, and the mode needs it.
   STUCK            ///< the same to the last digit as those before: its source has stopped.
 };
 

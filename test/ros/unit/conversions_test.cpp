@@ -162,6 +162,36 @@ TEST_F(Intake, OdometryCarriesBothInItsOwnFrames)
   EXPECT_NEAR(estimator.vesselTrack().age(1.1), 0.1, 1e-12) << "a refused odometry leaves no pose behind";
 }
 
+TEST_F(Intake, OdometryKeepsItsCovariance)
+{
+  monitor::Config observed = config();
+  observed.vehicle_mode = monitor::VehicleMode::OBSERVED;
+  observed.vehicle_body.mass = observed.vehicle_body.volume = 1.0;
+  observed.vehicle_body.inertia.setOnes();
+  monitor::TetherEstimator other(observed);
+  MeasurementIntake into(other, transforms);
+  into.setTimeBase(TimeBase(ros::Time(100.0)));
+  nav_msgs::Odometry odom;
+  odom.header = pose("site").header;
+  odom.pose.pose.orientation.w = 1.0;
+  odom.pose.pose.position.z = 2.0;
+  for (int i = 0; i < 6; ++i)
+    odom.pose.covariance[7 * i] = odom.twist.covariance[7 * i] = i == 2 ? 0.0025 : 1e6;
+  ASSERT_EQ(into.take(BodyName::VESSEL, odom, now), "") << "a height alone";
+  EXPECT_FALSE(other.vesselFilter().hasPosition());
+  EXPECT_TRUE(other.vesselFilter().axis(2).isStarted());
+  EXPECT_FALSE(other.vesselFilter().axis(0).isStarted());
+  for (int i = 0; i < 6; ++i)
+    odom.pose.covariance[7 * i] = i == 0 ? 0.04 : 0.0025;
+  odom.header.stamp += ros::Duration(0.1);
+  ASSERT_EQ(into.take(BodyName::VESSEL, odom, now), "");
+  EXPECT_NEAR(other.vesselFilter().at(1.1).position_stddev.y(), std::hypot(0.2, 0.3), 1e-2)
+      << "the frame is turned by a quarter: its x is our y (and the waves may be 0.3 m)";
+  for (int i = 0; i < 6; ++i)
+    odom.pose.covariance[7 * i] = 1e6;
+  EXPECT_NE(intake.take(BodyName::VESSEL, odom, now).find("not measured"), std::string::npos) << "mode tracked";
+}
+
 TEST_F(Intake, ChecksPayoutAndCurrent)
 {
   Payout payout;
