@@ -12,6 +12,7 @@ constexpr double DAMPING = 0.05;                 // of the oscillators [-]: how 
 constexpr double MEMORY = 60.0;                  // [s] of what the waves are like
 constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // [rad/s]
 constexpr double LOWEST = 0.01, HIGHEST = 10.0;  // standard deviation of the wave motion [m]
+constexpr double FASTEST_WAVE = 20.0;            // velocity in the waves that can be [m/s]
 constexpr double LEAK = 20.0;                    // [s] of the integral of the velocity
 constexpr double USUAL_RATE = 0.8, USUAL_HEIGHT = 0.3;  // [rad/s, m] before anything is known
 constexpr double NOTICE = 0.05, WILD = 36.0;            // share of a surprise in the running mean, largest square
@@ -105,7 +106,7 @@ void AxisFilter::learn(double dt)
   const double share = 1.0 - std::exp(-dt / MEMORY);
   const double velocity = velocityRow().dot(mean_);
   velocity_mean_ += share * (velocity - velocity_mean_);
-  const double v = velocity - velocity_mean_;
+  const double v = std::clamp(velocity - velocity_mean_, -FASTEST_WAVE, FASTEST_WAVE);
   swing_ += dt * (v - swing_ / LEAK);
   velocity_square_ += share * (v * v - velocity_square_);
   swing_square_ += share * (swing_ * swing_ - swing_square_);
@@ -152,10 +153,26 @@ void AxisFilter::correctVelocity(double velocity, double stddev)
   correct(velocityRow(), velocity, stddev);
 }
 
+double AxisFilter::surpriseOf(const Row& H, double value, double stddev) const
+{
+  return (value - H.dot(mean_)) / std::sqrt(H.dot(covariance_ * H.transpose()) + stddev * stddev);
+}
+
 double AxisFilter::surprise(double position, double stddev) const
 {
-  const Row H = positionRow();
-  return (position - H.dot(mean_)) / std::sqrt(H.dot(covariance_ * H.transpose()) + stddev * stddev);
+  return surpriseOf(positionRow(), position, stddev);
+}
+
+double AxisFilter::velocitySurprise(double velocity, double stddev) const
+{
+  return surpriseOf(velocityRow(), velocity, stddev);
+}
+
+bool AxisFilter::isSound() const
+{
+  return std::isfinite(time_) && mean_.allFinite() && covariance_.allFinite() && rate_ <= FASTEST &&
+         height_ <= HIGHEST && manoeuvre_ > 0.0 && std::isfinite(velocity_mean_ + velocity_square_ + swing_) &&
+         std::isfinite(swing_square_ + restless_);
 }
 
 AxisFilter::Motion AxisFilter::at(double t) const

@@ -25,7 +25,26 @@ core::CableFittings shifted(double by, core::CableFittings fittings)
   drop(fittings.attachments, [](const core::Attachment& attachment) { return attachment.s <= 0.0; });
   return fittings;
 }
+
+bool isEmptyOr(std::size_t count, std::size_t size)
+{
+  return size == 0 || size == count;
+}
 }  // namespace
+
+bool isStateOf(const core::CableState& state, const core::CableModel& model)
+{
+  const std::size_t points = core::kernel::POINTS * static_cast<std::size_t>(model.elements());
+  const std::size_t obstacles = model.environment().obstacles.size();
+  for (const core::NodeField* field : {&state.q, &state.v, &state.a, &state.aux})
+    if (field->size() != static_cast<std::size_t>(model.nodes()))
+      return false;
+  return state.allFinite() && state.obstacles.size() == obstacles &&
+         isEmptyOr(points, state.contact.seabed.size()) && isEmptyOr(points, state.contact.obstacle.size()) &&
+         state.contact.obstacle_position.size() == obstacles &&
+         state.contact.friction >= core::FrictionMode::STICK_SLIP &&
+         state.contact.friction <= core::FrictionMode::GLUED;
+}
 
 core::CableModel modelOf(const Config& config)
 {

@@ -27,26 +27,6 @@ struct Header
   }
 };
 
-bool isEmptyOr(std::size_t count, std::size_t size)
-{
-  return size == 0 || size == count;
-}
-
-// A state that the model can be stepped from.
-bool fits(const core::CableState& state, const core::CableModel& model)
-{
-  const std::size_t points = core::kernel::POINTS * static_cast<std::size_t>(model.elements());
-  const std::size_t obstacles = model.environment().obstacles.size();
-  for (const core::NodeField* field : {&state.q, &state.v, &state.a, &state.aux})
-    if (field->size() != static_cast<std::size_t>(model.nodes()))
-      return false;
-  return state.allFinite() && state.obstacles.size() == obstacles &&
-         isEmptyOr(points, state.contact.seabed.size()) && isEmptyOr(points, state.contact.obstacle.size()) &&
-         state.contact.obstacle_position.size() == obstacles &&
-         state.contact.friction >= core::FrictionMode::STICK_SLIP &&
-         state.contact.friction <= core::FrictionMode::GLUED;
-}
-
 // An estimate that the model can be written into.
 bool fits(const TetherEstimate& e, const core::CableModel& model)
 {
@@ -91,10 +71,10 @@ bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
     return false;
   TetherEstimator copy = *this;
   first(copy);
-  const bool is_sound = first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isSound() &&
-                        copy.vehicle_.isSound() && copy.payout_.isSound() && copy.vessel_filter_.isSound() &&
-                        copy.observer_.isSound(*model, observer_) &&
-                        (!copy.settled_ || (fits(copy.state_, *model) && copy.state_.time == copy.estimate_.time));
+  const bool is_sound =
+      first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isSound() && copy.vehicle_.isSound() &&
+      copy.payout_.isSound() && copy.vessel_filter_.isSound() && copy.observer_.isSound(*model, observer_) &&
+      (!copy.settled_ || (isStateOf(copy.state_, *model) && copy.state_.time == copy.estimate_.time));
   if (!is_sound || (copy.told_depth_ && !copy.setDepth(*copy.told_depth_)))
     return false;
   if (copy.told_depth_)

@@ -40,7 +40,7 @@ Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
 {
   if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselFilter::UNMEASURED)
     return Rejection::NOT_MEASURED;
-  const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
+  const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
   const Eigen::Quaterniond orientation = turns ? m.orientation : vessel_.lastOrientation();
   const Rejection rejection = vessel_.addPose(m.t, m.position, orientation);
   if (!isVehicleObserved() || !isMissing(rejection))
@@ -64,7 +64,7 @@ Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
 {
   if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselFilter::UNMEASURED)
     return Rejection::NOT_MEASURED;
-  const bool turns = !(m.orientation_stddev > NO_ORIENTATION);
+  const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
   const Rejection rejection =
       vehicle_.addPose(m.t, m.position, turns ? m.orientation : vehicle_.lastOrientation());
   if (!isVehicleObserved() || !isMissing(rejection))
@@ -72,6 +72,8 @@ Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
   if (turns && rejection == Rejection::NONE)
     observer_.setAttitude(m.orientation.normalized());
   const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.position_stddev, config_.navigation.position_stddev));
+  if (!(stddev.minCoeff() < VesselFilter::UNMEASURED))
+    return Rejection::NONE;  // an attitude alone
   return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::POSITION, m.position, stddev});
 }
 
@@ -89,6 +91,11 @@ void TetherEstimator::tellVesselMotion(double t, const BodyState& vessel)
   vessel_filter_.start(t, vessel.attachmentPoint(config_.vessel.attachment), STARTING_PLACE, STARTING_SPEED);
 }
 
+double TetherEstimator::observedAge(double t) const
+{
+  return settled_ ? observer_.age(t) : observer_.measuredAge(t);
+}
+
 bool TetherEstimator::canBegin(double t) const
 {
   if (!isVehicleObserved())
@@ -103,7 +110,7 @@ void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
   targets.vessel_age = vessel_filter_.age(t);
   targets.vessel_stddev = vessel.position_stddev;
   targets.vessel_error_rate = vessel_filter_.errorRate(t);
-  targets.vehicle_age = observer_.age(t);
+  targets.vehicle_age = observedAge(t);
   if (settled_)
     return;
   // A steady state has no waves: it begins on the vessel's way and fades into its motion.
@@ -133,7 +140,7 @@ Reason TetherEstimator::lackOf(double t) const
 {
   if (!isVehicleObserved())
     return Reason::NONE;
-  if (observer_.silence(t) > config_.invalid_timeout)
+  if (observer_.silence(observedAge(t)) > config_.invalid_timeout)
     return Reason::VEHICLE_STALE;
   const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
   return band <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE
@@ -147,7 +154,7 @@ Reason TetherEstimator::doubt(double t) const
     return Reason::OUT_OF_RANGE;
   if (observer_.isDisputed(t))
     return Reason::DISAGREEMENT;
-  if (observer_.silence(t) > config_.pose_timeout)
+  if (observer_.silence(observedAge(t)) > config_.pose_timeout)
     return Reason::VEHICLE_STALE;
   const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
   return band > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN

@@ -32,6 +32,7 @@ std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vect
     {
       state_.obstacles[k].position = now[k].position - origin_;
       state_.obstacles[k].velocity = now[k].velocity;
+      observer_.moveObstacle(k, state_.obstacles[k], state_.time);
     }
     return {};
   }

@@ -68,6 +68,12 @@ void TetherEstimator::rebuild(core::CableModel model, const core::MeshChoice& me
   estimate_.stations = core::StationField(mesh.elements);
 }
 
+// The model with all the forces of a steady state.
+core::CableModel TetherEstimator::modelAtRest() const
+{
+  return isVehicleObserved() ? observer_.startModel(model_, vehicle_.lastOrientation() * thrust_.force) : model_;
+}
+
 bool TetherEstimator::settle(double t, const EndTargets& ends)
 {
   const core::Vector3 old_origin = origin_;
@@ -107,13 +113,15 @@ bool TetherEstimator::settle(double t, const EndTargets& ends)
     for (int pass = 0; pass < STRUMMING_PASSES && last_solve_.converged(); ++pass)
     {
       strumming_ = core::findStrumming(model_, state_, config_.drag_amplification);
-      last_solve_ = statics_.solveFrom(model_, steady, state_.q);
+      // An observed vehicle stays where it was seen: the force on it changes instead.
+      last_solve_ =
+          isVehicleObserved() ? findStart(steady, state_.q) : statics_.solveFrom(model_, steady, state_.q);
     }
     if (!last_solve_.converged())
       return false;
   }
   core::beginContact(model_, state_);
-  last_solve_ = core::settleContact(model_, state_);
+  last_solve_ = core::settleContact(modelAtRest(), state_);
   if (!last_solve_.converged())
     return false;
   if (isVehicleObserved())

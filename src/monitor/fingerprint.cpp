@@ -44,7 +44,7 @@ void add(core::RigidBody body, ArchiveWriter& to)
 
 void add(NavigationConfig n, ArchiveWriter& to)
 {
-  to(n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
+  to(n.gains, n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
      n.invalid_stddev);
 }
 
@@ -64,7 +64,10 @@ std::uint64_t fingerprint(const Config& config)
   if (c.vehicle_mode != VehicleMode::TRACKED)
     add(c.vehicle_body, to);
   if (c.vehicle_mode == VehicleMode::OBSERVED)
+  {
     add(c.navigation, to);
+    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.invalid_timeout);
+  }
   to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.accuracy);
   if (!c.accuracy)
     to(c.elements);

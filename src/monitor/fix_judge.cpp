@@ -22,11 +22,14 @@ constexpr double DISPUTE = 25.0;       // squared bias that it does not
 constexpr double MOST_UNREST = 100.0;
 }  // namespace
 
-void FixJudge::start(double t)
+void FixJudge::start(double t, double measured)
 {
+  const double contested_until = contested_until_;
   const InnovationReport report = report_;
   *this = FixJudge();
-  last_accepted_ = last_seen_ = t;
+  contested_until_ = contested_until;
+  last_accepted_.setConstant(measured);
+  last_seen_ = t;
   open_until_ = t + OPEN;
   report_.accepted = report.accepted;
   report_.refused = report.refused;
@@ -59,13 +62,18 @@ bool FixJudge::isConvinced(const VehicleFix& fix, const core::Vector3& offset)
   return true;
 }
 
-void FixJudge::learn(const core::Vector3& innovation, const core::Vector3& stddev, double square)
+void FixJudge::learn(const VehicleFix& fix, const core::Vector3& scaled, double square)
 {
   ++samples_;
   const double share = std::max(SQUARE_SHARE, 1.0 / (samples_ + 10.0));
-  square_ += share * (square / 3.0 - square_);
-  const core::Vector3 scaled = innovation.cwiseQuotient(stddev);
-  mean_ += MEAN_SHARE * (scaled - mean_);
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (fix.measuresPosition(axis))
+    {
+      mean_[axis] += MEAN_SHARE * (scaled[axis] - mean_[axis]);
+      ++axes;
+    }
+  square_ += share * (square / axes - square_);
   report_.scatter = std::sqrt(square_);
   report_.bias = mean_.norm() / std::sqrt(MEAN_SHARE / (2.0 - MEAN_SHARE));
 }
@@ -87,12 +95,14 @@ void FixJudge::judge(const VehicleFix& fix, const core::Vector3& offset, Vehicle
   last_seen_ = fix.t;
   const core::Vector3 innovation = offset - filter.positionError();
   const core::Vector3 expected = (filter.positionStddev().cwiseAbs2() + stddev.cwiseAbs2()).cwiseSqrt();
-  report_.last = innovation.norm();
+  report_.last = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    report_.last = std::hypot(report_.last, fix.measuresPosition(axis) ? innovation[axis] : 0.0);
   const double square = filter.distance(offset, stddev);
   if (square < GATE)
   {
     refusals_ = 0;
-    learn(innovation, expected, square);
+    learn(fix, innovation.cwiseQuotient(expected), square);
   }
   else
   {
@@ -101,10 +111,12 @@ void FixJudge::judge(const VehicleFix& fix, const core::Vector3& offset, Vehicle
       return;
     ++report_.reacquired;
     refusals_ = 0;
-    filter.doubtPosition(innovation.norm());
+    filter.doubtPosition(report_.last);
   }
   filter.correctPosition(offset, stddev);
-  last_accepted_ = std::max(last_accepted_, fix.t);
+  for (int axis = 0; axis < 3; ++axis)
+    if (fix.measuresPosition(axis))
+      last_accepted_[axis] = std::max(last_accepted_[axis], fix.t);
   ++report_.accepted;
 }
 

@@ -17,8 +17,12 @@ bool FixLog::isStuck(const VehicleFix& fix)
 {
   if (fix.kind != VehicleFix::Kind::POSITION)
     return false;
-  repeats_ = fix.value == last_value_ ? repeats_ + 1 : 1;
-  last_value_ = fix.value;
+  core::Vector3 value = fix.value;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!fix.measuresPosition(axis))
+      value[axis] = std::numeric_limits<double>::infinity();
+  repeats_ = value == last_value_ ? repeats_ + 1 : 1;
+  last_value_ = value;
   return repeats_ >= STUCK && fix.stddev.minCoeff() > COARSE;
 }
 
@@ -30,12 +34,15 @@ Rejection FixLog::add(const VehicleFix& fix, double earliest)
   { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind; };
   if (std::any_of(fixes_.begin(), fixes_.end(), is_same))
     return Rejection::REPEATED;
-  if (fix.t < earliest)
+  if (fix.t <= earliest)
     return Rejection::TOO_LATE;
   if (isStuck(fix))
     return Rejection::STUCK;
   if (fixes_.size() == CAPACITY)
+  {
+    dropped_until_ = fixes_[CAPACITY / 2 - 1].t;
     fixes_.erase(fixes_.begin(), fixes_.begin() + CAPACITY / 2);
+  }
   const auto place = std::upper_bound(fixes_.begin(), fixes_.end(), fix.t,
                                       [](double t, const VehicleFix& other) { return t < other.t; });
   fixes_.insert(place, fix);
@@ -47,6 +54,7 @@ void FixLog::clear()
 {
   fixes_.clear();
   markRead();
+  dropped_until_ = -std::numeric_limits<double>::infinity();
   repeats_ = 0;
 }
 

@@ -142,9 +142,7 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 void TetherEstimator::lookAtAges(double t)
 {
   estimate_.vessel_age = isVehicleObserved() ? vessel_filter_.age(t) : vessel_.age(t);
-  estimate_.vehicle_age = isVehicleObserved() ? observer_.age(t)
-                          : isVehicleFree()   ? thrustAge(t)
-                                              : vehicle_.age(t);
+  estimate_.vehicle_age = isVehicleObserved() ? observedAge(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
   estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
@@ -170,6 +168,8 @@ const TetherEstimate& TetherEstimator::tick(double t)
   if (estimate_.vessel_age > config_.invalid_timeout)
     return refuse(t, Reason::VESSEL_STALE);
   if (estimate_.vehicle_age > config_.invalid_timeout && !isVehicleObserved())
+    return refuse(t, Reason::VEHICLE_STALE);
+  if (isVehicleObserved() && !settled_ && observer_.silence(estimate_.vehicle_age) > config_.invalid_timeout)
     return refuse(t, Reason::VEHICLE_STALE);
   if (estimate_.payout_age > config_.invalid_timeout)
     return refuse(t, Reason::PAYOUT_STALE);

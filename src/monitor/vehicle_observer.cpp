@@ -13,18 +13,18 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr std::size_t STEPS = 512, SAVED = 32;
-constexpr double OUT_OF_ORDER = 3.0;   // [s] by which a measurement may be later than the latency
-constexpr double LONGEST_STEP = 0.1;   // [s] between looks at measurements
-constexpr double REFIT = 5.0;          // [s] between looks at the tether's stiffness
-constexpr double ATTITUDE_RATE = 1.0;  // [rad/s] with which the vehicle turns to its measured attitude
-constexpr double FORCE_SHARE = 0.18;   // disturbance that nobody told of, over the mass [m/s^2]
-constexpr double WALK = 0.003;         // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
-constexpr double DRAG_WALK = 0.003;    // likewise of the drag
-constexpr double SPEED_DOUBT = 0.2;    // standard deviation of the vehicle's velocity at the start [m/s]
-constexpr double CHANCE = 3.0;         // cost of a start that chance explains [-]
-constexpr double FIRST_WAIT = 5.0;     // [s] for the first three positions
-constexpr double FIRST_DRIFT = 0.3;    // speed by which the vehicle may part from the vessel then [m/s]
+constexpr std::size_t LEAST_STEPS = 128, MOST_STEPS = 8192;
+constexpr double LONGEST_STEP = 0.1;     // [s] between looks at measurements
+constexpr double REFIT = 5.0;            // [s] between looks at the tether's stiffness
+constexpr double ATTITUDE_RATE = 1.0;    // [rad/s] with which the vehicle turns to its measured attitude
+constexpr double FORCE_SHARE = 0.18;     // disturbance that nobody told of, over the mass [m/s^2]
+constexpr double WALK = 0.003;           // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
+constexpr double DRAG_WALK = 0.003;      // likewise of the drag
+constexpr double SPEED_DOUBT = 0.2;      // standard deviation of the vehicle's velocity at the start [m/s]
+constexpr double CHANCE = 3.0;           // cost of a start that chance explains [-]
+constexpr double FIRST_WAIT = 5.0;       // [s] for the first three positions
+constexpr double FIRST_DRIFT = 0.3;      // speed by which the vehicle may part from the vessel then [m/s]
+constexpr double FRESH_INTERVALS = 4.0;  // so many usual intervals a position is fresh enough to begin with
 constexpr int FIRST_FIXES = 3, MEDIAN_OF = 5;
 constexpr double STRETCH_SHARE = 0.1, STRETCH_MOST = 3.0, STRETCH_LIMIT = 0.75;
 constexpr double MODEL_DOUBT = 0.002;  // of a tension, relative: mesh, step, rounding of motions [-]
@@ -40,6 +40,15 @@ DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core
   return model;
 }
 
+// Steps to remember: as far back as a measurement may have to be put.
+std::size_t stepsFor(const Config& config)
+{
+  const double rate = std::max({config.rate, 1.0 / config.solver.step, 1.0 / LONGEST_STEP});
+  const double steps = 1.5 * rate * (config.navigation.latency + OUT_OF_ORDER);
+  return static_cast<std::size_t>(
+      std::clamp(steps, static_cast<double>(LEAST_STEPS), static_cast<double>(MOST_STEPS)));
+}
+
 double median(std::array<double, MEDIAN_OF>& x, int n)
 {
   std::sort(x.begin(), x.begin() + n);
@@ -50,9 +59,10 @@ double median(std::array<double, MEDIAN_OF>& x, int n)
 VehicleObserver::VehicleObserver(const Config& config, int nodes)
   : navigation_(config.navigation),
     body_(config.vehicle_body),
+    invalid_timeout_(config.invalid_timeout),
     solver_(nodes),
     begun_at_(-std::numeric_limits<double>::infinity()),
-    steps_(config.vehicle_mode == VehicleMode::OBSERVED ? STEPS : 0),
+    steps_(config.vehicle_mode == VehicleMode::OBSERVED ? stepsFor(config) : 0),
     saved_(config.vehicle_mode == VehicleMode::OBSERVED ? SAVED : 0),
     newest_(-std::numeric_limits<double>::infinity())
 {
@@ -61,11 +71,14 @@ VehicleObserver::VehicleObserver(const Config& config, int nodes)
 
 Rejection VehicleObserver::add(const VehicleFix& fix)
 {
-  if (fix.t < begun_at_)
+  if (fix.t <= begun_at_)
     return Rejection::NONE;
   const Rejection rejection =
       log_.add(fix, saved_.empty() ? -std::numeric_limits<double>::infinity() : saved_.front().state.time);
-  if (rejection == Rejection::NONE && fix.kind == VehicleFix::Kind::POSITION && fix.t > newest_)
+  while (saved_.size() > 1 && saved_.front().state.time < log_.droppedUntil())
+    saved_.dropFront();
+  if (rejection == Rejection::NONE && fix.kind == VehicleFix::Kind::POSITION && fix.t > newest_ &&
+      fix.measuresPosition(0))
   {
     if (std::isfinite(newest_))
     {
@@ -88,30 +101,48 @@ void VehicleObserver::clear()
   interval_ = 0.0;
 }
 
+double VehicleObserver::freshFrom(double t) const
+{
+  return t - navigation_.latency - std::max(invalid_timeout_, FRESH_INTERVALS * interval_);
+}
+
 std::optional<core::Vector3> VehicleObserver::firstPosition(double t, const core::Vector3& velocity)
 {
-  std::array<std::array<double, MEDIAN_OF>, 3> last{};
-  int n = 0;
-  for (auto fix = log_.fixes().rbegin(); fix != log_.fixes().rend() && n < MEDIAN_OF; ++fix)
-    if (fix->kind == VehicleFix::Kind::POSITION)
-    {
-      for (int i = 0; i < 3; ++i)
-        last[i][n] = fix->value[i] + velocity[i] * (t - fix->t);
-      ++n;
-      first_stddev_ = std::hypot(navigation_.position_stddev, FIRST_DRIFT * (t - fix->t));
-    }
-  if (n == 0)
-    return std::nullopt;
-  return core::Vector3(median(last[0], n), median(last[1], n), median(last[2], n));
+  const auto& fixes = log_.fixes();
+  core::Vector3 place;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::array<double, MEDIAN_OF> last{};
+    int n = 0;
+    for (auto fix = fixes.rbegin(); fix != fixes.rend() && n < MEDIAN_OF; ++fix)
+      if (fix->measuresPosition(axis) && (n == 0 || fix->t > freshFrom(t)))
+      {
+        last[n++] = fix->value[axis] + velocity[axis] * (t - fix->t);
+        first_stddev_ = std::hypot(navigation_.position_stddev, FIRST_DRIFT * (t - fix->t));
+      }
+    if (n == 0)
+      return std::nullopt;
+    place[axis] = median(last, n);
+  }
+  return place;
 }
 
 bool VehicleObserver::isReady(double t) const
 {
-  const auto is_position = [](const VehicleFix& fix) { return fix.kind == VehicleFix::Kind::POSITION; };
   const auto& fixes = log_.fixes();
-  const auto first = std::find_if(fixes.begin(), fixes.end(), is_position);
-  return first != fixes.end() && (std::count_if(fixes.begin(), fixes.end(), is_position) >= FIRST_FIXES ||
-                                  t - first->t > FIRST_WAIT + navigation_.latency);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    int n = 0;
+    double first = t;
+    for (const VehicleFix& fix : fixes)
+      if (fix.measuresPosition(axis) && fix.t > freshFrom(t))
+      {
+        first = n++ == 0 ? fix.t : first;
+      }
+    if (n == 0 || (n < FIRST_FIXES && t - first <= FIRST_WAIT + navigation_.latency))
+      return false;
+  }
+  return true;
 }
 
 core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core::CableModel& model,
@@ -138,22 +169,20 @@ core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core:
   return report;
 }
 
+core::CableModel VehicleObserver::startModel(const core::CableModel& model, const core::Vector3& thrust) const
+{
+  core::RigidBody body = body_;
+  body.force += start_force_ + thrust;
+  core::CableModel loaded = model;
+  loaded.setBodies({std::nullopt, body});
+  return loaded;
+}
+
 void VehicleObserver::setNodes(int nodes)
 {
   solver_ = core::EndImpedanceSolver(nodes);
   steps_.clear();
   saved_.clear();
-}
-
-void VehicleObserver::forgetPast(const core::CableModel& model, const core::CableState& state)
-{
-  if (saved_.empty())
-    return;
-  steps_.clear();
-  saved_.clear();
-  for (Saved& slot : saved_.slots())
-    slot.state = state;
-  save(model, state);
 }
 
 void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state)
@@ -172,7 +201,7 @@ void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& 
                      core::bodyDrag(body_, model.sea(), state.time,
                                     core::attachmentMotion(state, model.elements()), state.vehicle),
                      stiffness);
-  live_.judge.start(state.time);
+  live_.judge.start(state.time, newest_);
   live_.refit_at = state.time + REFIT;
   log_.forgetBefore(state.time);
   log_.markRead();
@@ -188,17 +217,6 @@ core::EndPoint VehicleObserver::centre(const core::CableState& state) const
   const core::Vector3 arm = state.vehicle.orientation * body_.attachment;
   const core::Vector3 spin = state.vehicle.orientation * state.vehicle.velocity;
   return {state.q.back().head<3>() - arm, state.v.back().head<3>() - spin.cross(arm)};
-}
-
-void VehicleObserver::save(const core::CableModel& model, const core::CableState& state)
-{
-  const double spacing = (navigation_.latency + OUT_OF_ORDER) / (SAVED - 4);
-  if (!saved_.empty() && state.time < saved_.back().state.time + spacing)
-    return;
-  Saved& saved = saved_.extend();
-  saved.state = state;
-  saved.payout = model.payout();
-  saved.live = live_;
 }
 
 void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step,
@@ -258,34 +276,6 @@ core::SolveReport VehicleObserver::make(const Step& step, core::CableModel& mode
   return report;
 }
 
-// Back to the last saved state before `from`, and all steps from there again.
-core::SolveReport VehicleObserver::again(double from, core::CableModel& model, core::Stepper& stepper,
-                                         core::CableState& state)
-{
-  std::size_t kept = saved_.size();
-  while (kept > 1 && saved_[kept - 1].state.time > from)
-    --kept;
-  saved_.truncate(kept);
-  state = saved_.back().state;
-  live_ = saved_.back().live;
-  if (saved_.back().payout.length != model.length() || saved_.back().payout.rate != model.payout().rate)
-    model.setPayout(saved_.back().payout);
-  core::SolveReport total;
-  for (std::size_t i = 0; i < steps_.size(); ++i)
-  {
-    if (steps_[i].from < state.time - 1e-9)
-      continue;
-    const core::SolveReport report = make(steps_[i], model, stepper, state);
-    total.addCost(report);
-    total.status = report.status;
-    total.residual = report.residual;
-    repeated_ += report.steps;
-    if (!report.converged())
-      break;
-  }
-  return total;
-}
-
 core::SolveReport VehicleObserver::advance(core::CableModel& model, core::Stepper& stepper,
                                            const core::EndPaths& paths, const core::Vector3& vessel_stddev,
                                            double error_rate, double t, core::CableState& state)
@@ -300,11 +290,15 @@ core::SolveReport VehicleObserver::advance(core::CableModel& model, core::Steppe
       return total;
   }
   const double duration = t - state.time;
-  const int parts = static_cast<int>(std::clamp(std::ceil(duration / LONGEST_STEP - 1e-9), 1.0, double(STEPS)));
+  const int parts = static_cast<int>(
+      std::clamp(std::ceil(duration / LONGEST_STEP - 1e-9), 1.0, static_cast<double>(LEAST_STEPS)));
   const double begin = state.time;
   for (int k = 1; k <= parts; ++k)
   {
     Step& step = steps_.extend();
+    // A saved state is of use as long as the steps from there on are known.
+    while (saved_.size() > 1 && steps_.size() > 1 && saved_.front().state.time < steps_.front().from - SAME)
+      saved_.dropFront();
     step.from = state.time;
     step.to = k == parts ? t : begin + k * duration / parts;
     step.paths = paths;
@@ -342,16 +336,6 @@ void VehicleObserver::describe(TetherEstimate& e) const
   e.vehicle_tension_stddev = sum(filter.tensionStddev(filter.stiffness().vehicle), shaken, e.vehicle_tension);
 }
 
-double VehicleObserver::age(double t) const
-{
-  return saved_.empty() ? t - newest_ : t - live_.judge.lastAccepted();
-}
-
-double VehicleObserver::silence(double t) const
-{
-  return age(t) - navigation_.latency - 2.0 * interval_;
-}
-
 bool VehicleObserver::isDisputed(double t) const
 {
   return live_.judge.isDisputed(t);
@@ -360,27 +344,6 @@ bool VehicleObserver::isDisputed(double t) const
 bool VehicleObserver::isOverstretched() const
 {
   return live_.overstretch > STRETCH_LIMIT;
-}
-
-bool VehicleObserver::isSound(const core::CableModel& model, const VehicleObserver& original) const
-{
-  if (!log_.isSound() || !live_.filter.isSound() || !steps_.isSound(original.steps_.capacity()) ||
-      !saved_.isSound(original.saved_.capacity()))
-    return false;
-  const auto fits = [&](const core::CableState& state)
-  {
-    const std::size_t nodes = static_cast<std::size_t>(model.nodes());
-    return state.q.size() == nodes && state.v.size() == nodes && state.a.size() == nodes &&
-           state.aux.size() == nodes && state.allFinite() && std::isfinite(state.time);
-  };
-  for (std::size_t i = 0; i < saved_.size(); ++i)
-    if (!fits(saved_[i].state) || !saved_[i].live.filter.isSound() || !(saved_[i].payout.length > 0.0))
-      return false;
-  for (std::size_t i = 0; i < steps_.size(); ++i)
-    if (!std::isfinite(steps_[i].from) || !(steps_[i].to > steps_[i].from) ||
-        (i > 0 && steps_[i].from < steps_[i - 1].from))
-      return false;
-  return true;
 }
 
 }  // namespace tether_monitor::monitor

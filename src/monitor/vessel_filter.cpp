@@ -8,10 +8,11 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr int CHECKPOINT_EVERY = 8;  // measurements
+constexpr double CHECKPOINT_EVERY = 0.15;  // [s]
 constexpr std::size_t CHECKPOINTS = 32;
 constexpr double GATE = 6.0;                       // standard deviations: farther is an outlier
 constexpr int CONVINCED = 4;                       // so many outliers in a row are the truth
+constexpr double FASTEST_VESSEL = 20.0;            // [m/s]
 constexpr double SPEED_DOUBT = 5.0;                // standard deviation of a velocity that nobody knows [m/s]
 constexpr double READY_SPEED = 0.3;                // standard deviation of the velocity to begin with [m/s]
 constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to begin with
@@ -37,7 +38,6 @@ void VesselFilter::clear()
   scatter_ = velocity_scatter_ = std::array<Scatter, 3>();
   log_.clear();
   checkpoints_.clear();
-  since_checkpoint_ = 0;
   last_measured_.fill(-std::numeric_limits<double>::infinity());
   first_ = std::numeric_limits<double>::infinity();
   surprises_ = {};
@@ -81,13 +81,12 @@ Rejection VesselFilter::add(const Entry& told)
   }
   if (!std::isfinite(entry.t))
     return Rejection::NOT_FINITE;
-  const auto same = [&](const Entry& e)
-  { return e.t == entry.t && e.is_velocity == entry.is_velocity && e.value == entry.value; };
-  if (std::any_of(log_.rbegin(), log_.rend(), same))
-    return Rejection::OUT_OF_ORDER;
+  for (auto e = log_.rbegin(); e != log_.rend() && e->t >= entry.t; ++e)
+    if (e->t == entry.t && e->is_velocity == entry.is_velocity && e->value == entry.value)
+      return Rejection::REPEATED;
   const bool is_late = !log_.empty() && entry.t < log_.back().t;
   if (is_late && (checkpoints_.empty() || entry.t < checkpoints_.front().t))
-    return Rejection::OUT_OF_ORDER;
+    return Rejection::TOO_LATE;
   for (int i = 0; i < 3; ++i)
     if (std::isfinite(entry.stddev[i]))
     {
@@ -99,7 +98,12 @@ Rejection VesselFilter::add(const Entry& told)
     }
   first_ = std::min(first_, entry.t);
   if (log_.size() == CAPACITY)
+  {
     log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
+    const auto first = std::find_if(checkpoints_.begin(), checkpoints_.end(),
+                                    [&](const Checkpoint& c) { return c.t >= log_.front().t; });
+    checkpoints_.erase(checkpoints_.begin(), first);
+  }
   const auto place =
       std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
   const std::size_t index = place - log_.begin();
@@ -116,7 +120,6 @@ Rejection VesselFilter::add(const Entry& told)
   surprises_ = checkpoints_.back().surprises;
   const double from = checkpoints_.back().t;
   checkpoints_.pop_back();
-  since_checkpoint_ = CHECKPOINT_EVERY;
   std::size_t first = index;
   while (first > 0 && log_[first - 1].t >= from)
     --first;
@@ -127,7 +130,6 @@ Rejection VesselFilter::add(const Entry& told)
 
 void VesselFilter::remember(double t)
 {
-  since_checkpoint_ = 0;
   if (checkpoints_.size() == CHECKPOINTS)
     checkpoints_.erase(checkpoints_.begin(), checkpoints_.begin() + CHECKPOINTS / 2);
   checkpoints_.push_back({t, filters_, surprises_});
@@ -135,7 +137,7 @@ void VesselFilter::remember(double t)
 
 void VesselFilter::run(const Entry& entry)
 {
-  if (++since_checkpoint_ >= CHECKPOINT_EVERY && (checkpoints_.empty() || checkpoints_.back().t < entry.t))
+  if (checkpoints_.empty() || checkpoints_.back().t + CHECKPOINT_EVERY <= entry.t)
     remember(entry.t);
   for (int i = 0; i < 3; ++i)
   {
@@ -151,7 +153,10 @@ void VesselFilter::run(const Entry& entry)
     filter.predict(entry.t);
     if (entry.is_velocity)
     {
-      filter.correctVelocity(entry.value[i], entry.stddev[i]);
+      const bool is_good = std::abs(filter.velocitySurprise(entry.value[i], entry.stddev[i])) < GATE;
+      if (is_good)
+        filter.correctVelocity(entry.value[i], entry.stddev[i]);
+      outliers_ += is_good ? 0 : 1;
       continue;
     }
     const double surprise = filter.surprise(entry.value[i], entry.stddev[i]);
@@ -164,7 +169,10 @@ void VesselFilter::run(const Entry& entry)
     {
       surprises_[i] = 0;
       filter.note(surprise);
-      filter.start(entry.t, entry.value[i], entry.stddev[i], filter.at(entry.t).velocity, 1.0);
+      const double velocity = filter.at(entry.t).velocity;
+      const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
+      filter.start(entry.t, entry.value[i], entry.stddev[i], is_usable ? velocity : 0.0,
+                   is_usable ? 1.0 : SPEED_DOUBT);
     }
     else
     {
@@ -276,12 +284,17 @@ double VesselFilter::errorRate(double t) const
 
 bool VesselFilter::isSound() const
 {
-  if (log_.size() > CAPACITY || checkpoints_.size() > CHECKPOINTS)
-    return false;
-  return std::all_of(
-      filters_.begin(), filters_.end(),
-      [](const AxisFilter& f)
-      { return !f.isStarted() || (std::isfinite(f.time()) && std::isfinite(f.at(f.time()).position)); });
+  const auto areSound = [](const auto& list)
+  { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isSound(); }); };
+  bool sound = log_.size() <= CAPACITY && checkpoints_.size() <= CHECKPOINTS && areSound(filters_) &&
+               areSound(shown_) && areSound(scatter_) && areSound(velocity_scatter_) && std::isfinite(shown_at_) &&
+               offset_.position.allFinite() && offset_.velocity.allFinite();
+  for (std::size_t i = 0; i < log_.size(); ++i)
+    sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
+  for (std::size_t i = 0; i < checkpoints_.size(); ++i)
+    sound = sound && std::isfinite(checkpoints_[i].t) && areSound(checkpoints_[i].filters) &&
+            (i == 0 || checkpoints_[i].t >= checkpoints_[i - 1].t);
+  return sound;
 }
 
 }  // namespace tether_monitor::monitor

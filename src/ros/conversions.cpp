@@ -7,7 +7,8 @@
 namespace tether_monitor
 {
 static_assert(static_cast<int>(monitor::Status::INVALID) == TetherState::STATUS_INVALID, "status codes differ");
-static_assert(static_cast<int>(monitor::Reason::UNCERTAIN) == TetherState::REASON_UNCERTAIN, "reason codes differ");
+static_assert(static_cast<int>(monitor::Reason::UNCERTAIN) == TetherState::REASON_UNCERTAIN,
+              "reason codes differ");
 static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
               "alarm state codes differ");
 static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");

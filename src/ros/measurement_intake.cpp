@@ -2,6 +2,7 @@
 
 #include <tf2/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tether_monitor/ros/conversions.h"
@@ -32,10 +33,11 @@ namespace
 // as ROS has it, or -1).
 core::Vector3 stddevs(const boost::array<double, 36>& covariance, int first, const core::Matrix3& turn)
 {
+  constexpr double MOST = 1e12;
   core::Matrix3 block;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      block(row, column) = covariance[6 * (first + row) + first + column];
+      block(row, column) = std::clamp(covariance[6 * (first + row) + first + column], -MOST, MOST);
   if (!(block.diagonal().minCoeff() > 0.0))
     return core::Vector3::Constant(monitor::PoseMeasurement::UNTOLD);
   const core::Matrix3 turned = turn * block * turn.transpose();
@@ -121,6 +123,8 @@ std::string MeasurementIntake::takePose(BodyName body, const geometry_msgs::Pose
   pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation);
   if (covariance)
   {
+    if (std::any_of(covariance->begin(), covariance->end(), [](double c) { return std::isnan(c); }))
+      return "its covariance is not a number";
     pose.position_stddev = stddevs(*covariance, 0, to_world.rotation());
     pose.orientation_stddev = stddevs(*covariance, 3, to_world.rotation()).maxCoeff();
   }
@@ -172,7 +176,7 @@ std::string MeasurementIntake::take(BodyName body, const nav_msgs::Odometry& mes
   rates.angular_velocity = to_world * vector(twist.angular);
   rates.velocity_stddev = stddevs(message.twist.covariance, 0, to_world.toRotationMatrix());
   // A twist that says that it was not measured.
-  if (rates.velocity_stddev.minCoeff() > monitor::VesselFilter::UNMEASURED)
+  if (estimator_.isVehicleObserved() && rates.velocity_stddev.minCoeff() > monitor::VesselFilter::UNMEASURED)
     return "";
   return refused(add(body, rates), now);
 }

@@ -168,7 +168,7 @@ TEST(FixJudge, RefusesOutliersAndNotWhatIsGood)
 {
   VehicleFilter filter = started();
   FixJudge j;
-  j.start(0.0);
+  j.start(0.0, 0.0);
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, 0.3);
   int t = 1;
@@ -187,7 +187,7 @@ TEST(FixJudge, GivesWayAfterAGapAndStaysInQuestionOtherwise)
 {
   VehicleFilter filter = started();
   FixJudge j;
-  j.start(0.0);
+  j.start(0.0, 0.0);
   for (int t = 1; t <= 60; ++t)
     judge(j, filter, t, Vector3::Zero());
   VehicleFilter other_filter = filter;
@@ -217,7 +217,7 @@ TEST(FixJudge, JumpsAreNeverFollowed)
 {
   VehicleFilter filter = started();
   FixJudge j;
-  j.start(0.0);
+  j.start(0.0, 0.0);
   for (int t = 1; t <= 60; ++t)
     judge(j, filter, t, Vector3::Zero());
   for (int t = 61; t < 400; ++t)
@@ -229,7 +229,7 @@ TEST(FixJudge, ADriftToOneSideMakesItRestless)
 {
   VehicleFilter filter = started();
   FixJudge j;
-  j.start(0.0);
+  j.start(0.0, 0.0);
   for (int t = 1; t <= 30; ++t)
     judge(j, filter, t, Vector3(0.0, 0.0, 0.25 * t));
   EXPECT_GT(j.unrest(), 1.0);

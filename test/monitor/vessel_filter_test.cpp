@@ -108,11 +108,10 @@ TEST(VesselFilter, LateMeasurementsTakeTheirPlace)
     }
   }
   EXPECT_LT((in_order.at(60.0).end.position - shuffled.at(60.0).end.position).norm(), 1e-3);
-  EXPECT_EQ(shuffled.addPosition(1.0, Vector3::Zero(), Vector3::Constant(0.02)), Rejection::OUT_OF_ORDER)
+  EXPECT_EQ(shuffled.addPosition(1.0, Vector3::Zero(), Vector3::Constant(0.02)), Rejection::TOO_LATE)
       << "far too late";
   EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)), Rejection::NONE);
-  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)),
-            Rejection::OUT_OF_ORDER)
+  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)), Rejection::REPEATED)
       << "twice";
 }
 

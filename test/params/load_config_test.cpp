@@ -221,9 +221,9 @@ TEST(LoadConfig, AFreeVehicleNeedsItsBody)
 TEST(LoadConfig, AnObservedVehicleHasItsNavigation)
 {
   const Value::List three{0.4, 0.4, 0.4};
-  Value::Map vehicle{{"mode", std::string("observed")}, {"mass", 1000.0},         {"volume", 1.0},
-                     {"inertia", Value(three)},         {"drag_area", Value(three)}, {"position_stddev", 0.3},
-                     {"latency", 1.5},                  {"force_stddev", 250.0}};
+  Value::Map vehicle{
+      {"mode", std::string("observed")}, {"mass", 1000.0},         {"volume", 1.0},  {"inertia", Value(three)},
+      {"drag_area", Value(three)},       {"position_stddev", 0.3}, {"latency", 1.5}, {"force_stddev", 250.0}};
   const Value::Map vessel{{"position_stddev", 0.02}};
   const monitor::Config c =
       loadConfig(tree(tetherKeys(), {{"vehicle", Value(vehicle)}, {"vessel", Value(vessel)}}), "/test");

@@ -154,7 +154,8 @@ TEST(Measurements, AnEmptyFieldIsNone)
 TEST(Measurements, FaultsAreNamedWithTheirLine)
 {
   EXPECT_NE(faultOf("t,vessel_x,vessel_y,vessel_z\n0,0,0,1\n").find("vehicle_x is missing"), std::string::npos);
-  EXPECT_NE(faultOf(HEADER + ",vehicle_speed\n0,0,0,1,,,,1\n").find("vehicle_speed is not known"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + ",vehicle_speed\n0,0,0,1,,,,1\n").find("vehicle_speed is not known"),
+            std::string::npos);
   EXPECT_NE(faultOf(HEADER + ",speed\n0,0,0,1,,,,1\n").find("speed is not known"), std::string::npos);
   EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,,3\n"), "line 2: vehicle_x, y and z must all be there or all be empty");
   EXPECT_EQ(faultOf(HEADER + "\n0,,,,1,2,3\n"), "line 2: the first row must have the vessel's position");
@@ -181,8 +182,8 @@ TEST(ReplayRun, AnObservedVehicleStartsWithItsFirstPosition)
   monitor::TetherEstimator estimator(observedConfig());
   {
     Recorder recorder(folder, 0.0, VehicleColumns::OBSERVED);
-    replayMeasurements(Measurements(table), Motion(table, monitor::VehicleMode::OBSERVED), ReplayOptions(), estimator,
-                       recorder);
+    replayMeasurements(Measurements(table), Motion(table, monitor::VehicleMode::OBSERVED), ReplayOptions(),
+                       estimator, recorder);
     recorder.finish(estimator);
   }
   std::ifstream in(folder + "/ends.csv");

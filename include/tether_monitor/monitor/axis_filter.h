@@ -38,8 +38,11 @@ class AxisFilter
   /// Takes note of an innovation, over its standard deviation: those that go on to be too large make the filter
   /// follow faster until it has learnt why.
   void note(double surprise);
-  /// Innovation of a position over its standard deviation [-].
+  /// Innovation of a position or of a velocity over its standard deviation [-].
   double surprise(double position, double stddev) const;
+  double velocitySurprise(double velocity, double stddev) const;
+  /// False for what no measurements can have made.
+  bool isSound() const;
   /// At time t [s], not before time(); the filter stays where it is.
   Motion at(double t) const;
   /// Frequency [rad/s] and standard deviation [m] of the motion in the waves.
@@ -58,6 +61,7 @@ class AxisFilter
   Matrix transition(double dt) const;
   Matrix noise(double dt) const;
   void learn(double dt);
+  double surpriseOf(const Eigen::Matrix<double, 1, STATES>& H, double value, double stddev) const;
   void correct(const Eigen::Matrix<double, 1, STATES>& H, double value, double stddev);
 
   bool started_ = false;

@@ -45,4 +45,7 @@ ModelMemory memoryOf(const core::CableModel& model);
 /// The model of a configuration as `memory` remembers it; nothing if that cannot be.
 std::optional<core::CableModel> modelFrom(const Config& config, const ModelMemory& memory);
 
+/// True for a state that the model can be stepped from.
+bool isStateOf(const core::CableState& state, const core::CableModel& model);
+
 }  // namespace tether_monitor::monitor

@@ -32,7 +32,8 @@ struct InnovationReport
 class FixJudge
 {
  public:
-  void start(double t);
+  /// @param measured  time of the last position known then [s].
+  void start(double t, double measured);
 
   /// Judges a fix and corrects the filter with it. @param offset  of the fix from the nominal motion [m or m/s].
   void judge(const VehicleFix& fix, const core::Vector3& offset, VehicleFilter& filter);
@@ -41,8 +42,8 @@ class FixJudge
   double unrest() const;
   /// True while positions and model contradict each other.
   bool isDisputed(double t) const;
-  /// Time of the last position that was believed [s].
-  double lastAccepted() const { return last_accepted_; }
+  /// Time of the last position that was believed, of the axis that has waited longest [s].
+  double lastAccepted() const { return last_accepted_.minCoeff(); }
   const InnovationReport& report() const { return report_; }
 
   template <class Archive>
@@ -54,12 +55,12 @@ class FixJudge
 
  private:
   bool isConvinced(const VehicleFix& fix, const core::Vector3& offset);
-  void learn(const core::Vector3& innovation, const core::Vector3& stddev, double square);
+  void learn(const VehicleFix& fix, const core::Vector3& scaled, double square);
 
-  double last_accepted_ = 0.0;
-  double last_seen_ = 0.0;   // last position, believed or not
-  double open_until_ = 0.0;  // nothing better is known so long
-  int refusals_ = 0;         // in a row that agree with each other
+  core::Vector3 last_accepted_ = core::Vector3::Zero();  // of every axis
+  double last_seen_ = 0.0;                               // last position, believed or not
+  double open_until_ = 0.0;                              // nothing better is known so long
+  int refusals_ = 0;                                     // in a row that agree with each other
   core::Vector3 last_offset_ = core::Vector3::Zero();
   double last_refused_ = 0.0;
   double square_ = 1.0;  // running mean of the squared distances, over three

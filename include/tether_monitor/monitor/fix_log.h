@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct VehicleFix
   core::Vector3 value = core::Vector3::Zero();
   core::Vector3 stddev = core::Vector3::Ones();  ///< of every axis, > 0; infinite: not measured.
 
+  /// True for a position that was measured along an axis.
+  bool measuresPosition(int axis) const { return kind == Kind::POSITION && std::isfinite(stddev[axis]); }
+
   template <class Archive>
   void archive(Archive& a)
   {
@@ -36,11 +40,11 @@ struct VehicleFix
 class FixLog
 {
  public:
-  static constexpr std::size_t CAPACITY = 512;
+  static constexpr std::size_t CAPACITY = 1024;
 
   FixLog() { fixes_.reserve(CAPACITY); }
 
-  /// Takes a fix that is not before `earliest` [s]. The oldest goes where there is no room.
+  /// Takes a fix that is later than `earliest` [s]. The oldest goes where there is no room.
   Rejection add(const VehicleFix& fix, double earliest);
   void clear();
   /// Forgets what is before t [s].
@@ -50,12 +54,14 @@ class FixLog
   /// Time of the earliest fix that came since the last call of markRead() [s]; infinite if none did.
   double earliestUnread() const { return earliest_unread_; }
   void markRead();
+  /// Time of the last fix that had to go for want of room [s]; -infinity if none had to.
+  double droppedUntil() const { return dropped_until_; }
   bool isSound() const;
 
   template <class Archive>
   void archive(Archive& a)
   {
-    a(fixes_, earliest_unread_, last_value_, repeats_);
+    a(fixes_, earliest_unread_, dropped_until_, last_value_, repeats_);
   }
 
  private:
@@ -63,6 +69,7 @@ class FixLog
 
   std::vector<VehicleFix> fixes_;
   double earliest_unread_ = std::numeric_limits<double>::infinity();
+  double dropped_until_ = -std::numeric_limits<double>::infinity();
   core::Vector3 last_value_ = core::Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
   int repeats_ = 0;
 };

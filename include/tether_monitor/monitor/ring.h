@@ -30,6 +30,12 @@ class Ring
   }
   /// Keeps the oldest `count`.
   void truncate(std::size_t count) { size_ = count < size_ ? count : size_; }
+  /// Forgets the oldest.
+  void dropFront()
+  {
+    first_ = (first_ + 1) % slots_.size();
+    --size_;
+  }
   void clear() { first_ = size_ = 0; }
   /// Every slot, used or not.
   std::vector<T>& slots() { return slots_; }

@@ -20,6 +20,9 @@ class Scatter
   /// Standard deviation of the noise.
   double stddev() const;
 
+  /// False for what no values can have made.
+  bool isSound() const { return count_ >= 0 && count_ <= POINTS && samples_ >= 0; }
+
   template <class Archive>
   void archive(Archive& a)
   {

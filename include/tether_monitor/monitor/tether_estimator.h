@@ -195,6 +195,7 @@ class TetherEstimator
   bool needsMesh(const core::SteadyEnds& ends) const;
   bool isPossible(double length) const;
   double thrustAge(double t) const;
+  double observedAge(double t) const;
   void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
   void lookAtAges(double t);
@@ -202,6 +203,7 @@ class TetherEstimator
   Reason degradation(const EndTargets& ends) const;
   EndTargets targetsAt(double t);
   void aimAtObserved(double t, EndTargets& targets);
+  core::CableModel modelAtRest() const;
   Reason lackOf(double t) const;
   Reason doubt(double t) const;
   core::SolveReport step(const core::EndPaths& paths, const EndTargets& ends, double t);

@@ -95,7 +95,7 @@ class VehicleFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach,
+    a(model_.gains, model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach,
       model_.first_reach, model_.acceleration, stiffness_, mass_inverse_, error_, covariance_, disturbance_,
       drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_, waiting_, unrest_);
   }

@@ -51,6 +51,10 @@ class VehicleObserver
                               const core::Vector3& thrust, core::NodeField& shape);
   /// Begins at a state of findStart(). @param origin  of the model's coordinates in the world [m].
   void begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state);
+  /// The model with the vehicle of findStart(), what is told and what is not acting on it.
+  core::CableModel startModel(const core::CableModel& model, const core::Vector3& thrust) const;
+  /// Obstacle `k` is told to be elsewhere at time t [s]: saved states get it too.
+  void moveObstacle(std::size_t k, const core::ObstacleMotion& now, double t);
   /// Another model from now on: saved states of the old one are of no more use.
   void forgetPast(const core::CableModel& model, const core::CableState& state);
   /// Another number of nodes; findStart() and begin() must follow.
@@ -72,11 +76,13 @@ class VehicleObserver
 
   /// Time of the beginning [s]; -infinity before.
   double begunAt() const { return begun_at_; }
-  /// Age at time t [s] of the last position that was believed; infinite before the first.
-  double age(double t) const;
-  /// Time for which measurements that were due have not come [s]: age less latency and two of their usual
-  /// intervals.
-  double silence(double t) const;
+  /// Age at time t [s] of the last position that was believed; after begin().
+  double age(double t) const { return t - live_.judge.lastAccepted(); }
+  /// Age at time t [s] of the last position that was measured; infinite before the first.
+  double measuredAge(double t) const { return t - newest_; }
+  /// Time for which measurements that were due have not come [s], when the last is `age` old: less latency and two
+  /// of their usual intervals.
+  double silence(double age) const { return age - navigation_.latency - 2.0 * interval_; }
   /// True while positions, tether and vehicle contradict each other.
   bool isDisputed(double t) const;
   /// True while the measured ends are farther apart than the tether is long.
@@ -96,6 +102,10 @@ class VehicleObserver
   }
 
  private:
+  static constexpr std::size_t SAVED = 32;
+  static constexpr double OUT_OF_ORDER = 3.0;  // [s] by which a measurement may be later than the latency
+  static constexpr double SAME = 1e-9;         // [s]
+
   // What a measurement changes.
   struct Live
   {
@@ -144,10 +154,12 @@ class VehicleObserver
   void save(const core::CableModel& model, const core::CableState& state);
   void look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step, const core::CableModel& model,
             const core::CableState& state);
+  double freshFrom(double t) const;
   core::EndPoint centre(const core::CableState& state) const;
 
   NavigationConfig navigation_;
   core::RigidBody body_;
+  double invalid_timeout_;  // [s]
   FixLog log_;
   core::EndImpedanceSolver solver_;
   Live live_;

@@ -28,8 +28,8 @@ class VesselFilter
     core::Vector3 acceleration_stddev = core::Vector3::Zero();  ///< [m/s^2]
   };
 
-  static constexpr std::size_t CAPACITY = 512;  ///< measurements that can be run again.
-  static constexpr double UNMEASURED = 100.0;   ///< a standard deviation from which an axis was not measured [m].
+  static constexpr std::size_t CAPACITY = 1024;  ///< measurements that can be run again.
+  static constexpr double UNMEASURED = 100.0;    ///< a standard deviation from which an axis was not measured [m].
 
   VesselFilter();
 
@@ -74,8 +74,8 @@ class VesselFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, since_checkpoint_, last_measured_, first_,
-      outliers_, surprises_, shown_, shown_at_, offset_, following_since_);
+    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, first_, outliers_, surprises_,
+      shown_, shown_at_, offset_, following_since_);
   }
 
  private:
@@ -115,7 +115,6 @@ class VesselFilter
   std::array<Scatter, 3> scatter_, velocity_scatter_;
   std::vector<Entry> log_;               // in order of time
   std::vector<Checkpoint> checkpoints_;  // likewise: filters before the entries from t on
-  int since_checkpoint_ = 0;
   std::array<double, 3> last_measured_;
   double first_;
   long outliers_ = 0;
