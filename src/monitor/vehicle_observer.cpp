@@ -40,21 +40,21 @@ DisturbanceModel disturbanceModel(const NavigationConfig& navigation, const core
   return model;
 }
 
-// Steps to remember: as far back as a measurement may have to be put.
-std::size_t stepsFor(const Config& config)
-{
-  const double rate = std::max({config.rate, 1.0 / config.solver.step, 1.0 / LONGEST_STEP});
-  const double steps = 1.5 * rate * (config.navigation.latency + OUT_OF_ORDER);
-  return static_cast<std::size_t>(
-      std::clamp(steps, static_cast<double>(LEAST_STEPS), static_cast<double>(MOST_STEPS)));
-}
-
 double median(std::array<double, MEDIAN_OF>& x, int n)
 {
   std::sort(x.begin(), x.begin() + n);
   return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
 }
 }  // namespace
+
+// Steps to remember: as far back as a measurement may have to be put.
+std::size_t VehicleObserver::stepsFor(const Config& config)
+{
+  const double rate = std::max({config.rate, 1.0 / config.solver.step, 1.0 / LONGEST_STEP});
+  const double steps = 1.5 * rate * (config.navigation.latency + OUT_OF_ORDER);
+  return static_cast<std::size_t>(
+      std::clamp(steps, static_cast<double>(LEAST_STEPS), static_cast<double>(MOST_STEPS)));
+}
 
 VehicleObserver::VehicleObserver(const Config& config, int nodes)
   : navigation_(config.navigation),

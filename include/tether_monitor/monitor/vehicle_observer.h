@@ -154,6 +154,7 @@ class VehicleObserver
   void save(const core::CableModel& model, const core::CableState& state);
   void look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step, const core::CableModel& model,
             const core::CableState& state);
+  static std::size_t stepsFor(const Config& config);
   double freshFrom(double t) const;
   core::EndPoint centre(const core::CableState& state) const;
 
