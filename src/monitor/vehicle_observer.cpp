@@ -22,6 +22,7 @@ constexpr double WALK = 0.003;           // of the disturbance in a second, over
 constexpr double DRAG_WALK = 0.003;      // likewise of the drag
 constexpr double SPEED_DOUBT = 0.2;      // standard deviation of the vehicle's velocity at the start [m/s]
 constexpr double CHANCE = 3.0;           // cost of a start that chance explains [-]
+constexpr double MOST_LATE = 33.0;       // [s]
 constexpr double FIRST_WAIT = 5.0;       // [s] for the first three positions
 constexpr double FIRST_DRIFT = 0.3;      // speed by which the vehicle may part from the vessel then [m/s]
 constexpr double FRESH_INTERVALS = 4.0;  // so many usual intervals a position is fresh enough to begin with
@@ -64,7 +65,8 @@ VehicleObserver::VehicleObserver(const Config& config, int nodes)
     begun_at_(-std::numeric_limits<double>::infinity()),
     steps_(config.vehicle_mode == VehicleMode::OBSERVED ? stepsFor(config) : 0),
     saved_(config.vehicle_mode == VehicleMode::OBSERVED ? SAVED : 0),
-    newest_(-std::numeric_limits<double>::infinity())
+    newest_(-std::numeric_limits<double>::infinity()),
+    lateness_(config.navigation.latency)
 {
   body_.attachment = config.vehicle.attachment;
 }
@@ -80,6 +82,8 @@ Rejection VehicleObserver::add(const VehicleFix& fix)
   if (rejection == Rejection::NONE && fix.kind == VehicleFix::Kind::POSITION && fix.t > newest_ &&
       fix.measuresPosition(0))
   {
+    if (!steps_.empty())
+      lateness_ += 0.2 * (std::clamp(steps_.back().to - fix.t, navigation_.latency, MOST_LATE) - lateness_);
     if (std::isfinite(newest_))
     {
       const double now = std::min(fix.t - newest_, 10.0);
@@ -99,6 +103,7 @@ void VehicleObserver::clear()
   attitude_.reset();
   begun_at_ = newest_ = -std::numeric_limits<double>::infinity();
   interval_ = 0.0;
+  lateness_ = navigation_.latency;
 }
 
 double VehicleObserver::freshFrom(double t) const

@@ -82,7 +82,7 @@ class VehicleObserver
   double measuredAge(double t) const { return t - newest_; }
   /// Time for which measurements that were due have not come [s], when the last is `age` old: less latency and two
   /// of their usual intervals.
-  double silence(double age) const { return age - navigation_.latency - 2.0 * interval_; }
+  double silence(double age) const { return age - lateness_ - 2.0 * interval_; }
   /// True while positions, tether and vehicle contradict each other.
   bool isDisputed(double t) const;
   /// True while the measured ends are farther apart than the tether is long.
@@ -98,7 +98,7 @@ class VehicleObserver
   void archive(Archive& a)
   {
     a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_scale_, start_force_, start_place_,
-      repeated_, steps_, saved_, newest_, interval_);
+      repeated_, steps_, saved_, newest_, interval_, lateness_);
   }
 
  private:
@@ -175,6 +175,7 @@ class VehicleObserver
   Ring<Step> steps_;
   Ring<Saved> saved_;
   double newest_, interval_ = 0.0;  // position in the log: time, usual interval
+  double lateness_;                 // usual [s]
 };
 
 }  // namespace tether_monitor::monitor
