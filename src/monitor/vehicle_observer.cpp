@@ -17,7 +17,7 @@ constexpr std::size_t LEAST_STEPS = 128, MOST_STEPS = 8192;
 constexpr double LONGEST_STEP = 0.1;     // [s] between looks at measurements
 constexpr double REFIT = 5.0;            // [s] between looks at the tether's stiffness
 constexpr double ATTITUDE_RATE = 1.0;    // [rad/s] with which the vehicle turns to its measured attitude
-constexpr double FORCE_SHARE = 0.18;     // disturbance that nobody told of, over the mass [m/s^2]
+constexpr double FORCE_SHARE = 0.16;     // disturbance that nobody told of, over the mass [m/s^2]
 constexpr double WALK = 0.003;           // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
 constexpr double DRAG_WALK = 0.003;      // likewise of the drag
 constexpr double SPEED_DOUBT = 0.2;      // standard deviation of the vehicle's velocity at the start [m/s]

@@ -68,7 +68,7 @@ struct NavigationConfig
   double position_stddev = 0.5;        ///< without covariance in the message [m], > 0.
   double velocity_stddev = 0.1;        ///< likewise [m/s], > 0.
   double latency = 0.0;                ///< how much older a measurement is than its stamp [s], 0..30.
-  std::optional<double> force_stddev;  ///< of the force that nobody tells [N], > 0; none: 0.18 m/s^2 times the
+  std::optional<double> force_stddev;  ///< of the force that nobody tells [N], > 0; none: 0.16 m/s^2 times the
                                        ///< mass.
   double drag_stddev = 0.15;           ///< of the relative error of the drag areas [-], > 0.
   ObserverGains gains = ObserverGains::KALMAN;
