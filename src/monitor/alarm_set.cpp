@@ -71,7 +71,7 @@ bool AlarmSet::update(const TetherEstimate& e)
         s = e.tightest_bend_s;
         break;
       case Quantity::AGE:
-        value = std::max(e.vessel_age, e.vehicle_age);
+        value = std::max(e.vessel_age, e.vehicle_overdue);
         if (e.payout_age > value)
           value = e.payout_age;
         break;

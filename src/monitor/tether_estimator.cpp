@@ -139,10 +139,16 @@ const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
   return estimate_;
 }
 
+void TetherEstimator::setVehicleAge(double age)
+{
+  estimate_.vehicle_age = age;
+  estimate_.vehicle_overdue = isVehicleObserved() ? std::max(observer_.silence(age), 0.0) : age;
+}
+
 void TetherEstimator::lookAtAges(double t)
 {
   estimate_.vessel_age = isVehicleObserved() ? vessel_filter_.age(t) : vessel_.age(t);
-  estimate_.vehicle_age = isVehicleObserved() ? observedAge(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t);
+  setVehicleAge(isVehicleObserved() ? observedAge(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t));
   estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
@@ -190,7 +196,7 @@ const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
 {
   announced_settling_ = started_ = true;
   estimate_.vessel_age = ends.vessel_age;
-  estimate_.vehicle_age = ends.vehicle_age;
+  setVehicleAge(ends.vehicle_age);
   estimate_.payout_age = ends.payout_age;
   if (!settle(t, ends))
     return refuse(t, Reason::NOT_CONVERGED);
@@ -207,7 +213,7 @@ const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
   if (!settled_)
     return begin(t, ends);
   estimate_.vessel_age = ends.vessel_age;
-  estimate_.vehicle_age = ends.vehicle_age;
+  setVehicleAge(ends.vehicle_age);
   estimate_.payout_age = ends.payout_age;
   if (t > state_.time)
   {

@@ -80,7 +80,9 @@ struct TetherEstimate
   double disturbance_stddev = NONE;                           ///< root mean square over the axes [N].
   double vessel_age = NONE;                                   ///< age of the last vessel pose [s].
   double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
-  double payout_age = NONE;   ///< age of the last report of the winch [s]; NaN if nothing reports.
+  double vehicle_overdue =
+      NONE;  ///< the same, less what is usual in mode observed: how long something has been due [s].
+  double payout_age = NONE;  ///< age of the last report of the winch [s]; NaN if nothing reports.
 
   template <class Archive>
   void archive(Archive& a)
@@ -90,7 +92,7 @@ struct TetherEstimate
       breaking_utilisation, min_bend_radius, min_bend_radius_s, tightest_bend, tightest_bend_s, vessel_end_angle,
       vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle, vessel_tension_stddev,
       vehicle_tension_stddev, vehicle_position_stddev, vehicle_velocity_stddev, disturbance, disturbance_stddev,
-      vessel_age, vehicle_age, payout_age);
+      vessel_age, vehicle_age, vehicle_overdue, payout_age);
   }
 };
 

@@ -198,6 +198,7 @@ class TetherEstimator
   double observedAge(double t) const;
   void moveObstacles(double t, const core::Vector3& origin);
   bool setLength(double length);
+  void setVehicleAge(double age);
   void lookAtAges(double t);
   void lookAtStrumming();
   Reason degradation(const EndTargets& ends) const;
