@@ -200,8 +200,7 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     const double t = truth.timeOf(i);
     monitor::PoseMeasurement vessel;
     vessel.t = t;
-    const bool has_satellites = i % every(sensors.satellite_interval) == 0;
-    if (has_satellites)
+    if (i % every(sensors.satellite_interval) == 0)
     {
       vessel.position = truth.vessel[i].position + noise(sensors.satellite_stddev);
       vessel.position_stddev.setConstant(sensors.satellite_stddev);
@@ -209,7 +208,6 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     }
     if (i % every(sensors.heave_interval) == 0 && observed)
     {
-      vessel.t = t;
       vessel.position = {0.0, 0.0, truth.vessel[i].position.z() + sensors.heave_stddev * normal(generator)};
       vessel.position_stddev = {UNMEASURED, UNMEASURED, sensors.heave_stddev};
       estimator.addVessel(vessel);

@@ -84,6 +84,12 @@ Lift liftOfVolume(const RigidBody& body, const Sea& sea, double surface, const V
   return lift;
 }
 
+Lift liftOf(const RigidBody& body, const Sea& sea, double t, double surface, const Vector3& centre,
+            const Matrix3& R)
+{
+  return body.hull ? liftOfHull(*body.hull, sea, t, centre, R) : liftOfVolume(body, sea, surface, centre, R);
+}
+
 // The seabed under a body, as under a ball of its volume: force on the body and its weighted stiffness, world
 // axes.
 struct Landing
@@ -176,8 +182,7 @@ BodyResponse bodyResponse(const RigidBody& body, const Sea& sea, double t, const
   const Vector3& alpha = rotation.acceleration;
   const Vector3 centre = node.position - R * p;
   const Water water = sea.waterAt(centre, t);
-  const Lift lift =
-      body.hull ? liftOfHull(*body.hull, sea, t, centre, R) : liftOfVolume(body, sea, water.surface, centre, R);
+  const Lift lift = liftOf(body, sea, t, water.surface, centre, R);
 
   // Everything in body axes: acceleration of the centre of mass, velocity and acceleration relative to the water.
   const Vector3 swing = alpha.cross(p) + w.cross(w.cross(p));
@@ -264,8 +269,7 @@ Vector3 bodyDrag(const RigidBody& body, const Sea& sea, double t, const Attachme
   const Matrix3 R = rotation.orientation.toRotationMatrix();
   const Vector3 centre = node.position - R * body.attachment;
   const Water water = sea.waterAt(centre, t);
-  const Lift lift =
-      body.hull ? liftOfHull(*body.hull, sea, t, centre, R) : liftOfVolume(body, sea, water.surface, centre, R);
+  const Lift lift = liftOf(body, sea, t, water.surface, centre, R);
   const Vector3 u = R.transpose() * (node.velocity - water.velocity) - rotation.velocity.cross(body.attachment);
   Matrix3 slope;
   return -(R * quadraticDrag(0.5 * sea.density() * lift.share * body.drag_area, u, slope));

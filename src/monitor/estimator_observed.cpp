@@ -30,7 +30,8 @@ core::Vector3 unmeasuredAsInfinite(core::Vector3 stddev)
   return stddev;
 }
 
-bool isMissing(Rejection rejection)
+// Good, if only for a filter that puts late ones in their place.
+bool hasPlace(Rejection rejection)
 {
   return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
 }
@@ -43,7 +44,7 @@ Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
   const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
   const Eigen::Quaterniond orientation = turns ? m.orientation : vessel_.lastOrientation();
   const Rejection rejection = vessel_.addPose(m.t, m.position, orientation);
-  if (!isVehicleObserved() || !isMissing(rejection))
+  if (!isVehicleObserved() || !hasPlace(rejection))
     return rejection;
   const core::Vector3 lever = orientation.normalized() * config_.vessel.attachment;
   return vessel_filter_.addPosition(m.t, m.position + lever,
@@ -53,7 +54,7 @@ Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
 Rejection TetherEstimator::addVessel(const RatesMeasurement& m)
 {
   const Rejection rejection = vessel_.addRates(m.t, m.velocity, m.angular_velocity);
-  if (!isVehicleObserved() || !isMissing(rejection))
+  if (!isVehicleObserved() || !hasPlace(rejection))
     return rejection;
   const core::Vector3 lever = vessel_.lastOrientation() * config_.vessel.attachment;
   return vessel_filter_.addVelocity(m.t, m.velocity + m.angular_velocity.cross(lever),
@@ -67,7 +68,7 @@ Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
   const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
   const Rejection rejection =
       vehicle_.addPose(m.t, m.position, turns ? m.orientation : vehicle_.lastOrientation());
-  if (!isVehicleObserved() || !isMissing(rejection))
+  if (!isVehicleObserved() || !hasPlace(rejection))
     return rejection;
   if (turns && rejection == Rejection::NONE)
     observer_.setAttitude(m.orientation.normalized());
@@ -80,7 +81,7 @@ Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
 Rejection TetherEstimator::addVehicle(const RatesMeasurement& m)
 {
   const Rejection rejection = vehicle_.addRates(m.t, m.velocity, m.angular_velocity);
-  if (!isVehicleObserved() || !isMissing(rejection))
+  if (!isVehicleObserved() || !hasPlace(rejection))
     return rejection;
   const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.velocity_stddev, config_.navigation.velocity_stddev));
   return observer_.add({m.t - config_.navigation.latency, VehicleFix::Kind::VELOCITY, m.velocity, stddev});
@@ -109,7 +110,7 @@ void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
   targets.vessel = vessel.end;
   targets.vessel_age = vessel_filter_.age(t);
   targets.vessel_stddev = vessel.position_stddev;
-  targets.vessel_error_rate = vessel_filter_.errorRate(t);
+  targets.vessel_error_rate = VesselFilter::errorRate(vessel);
   targets.vehicle_age = observedAge(t);
   if (settled_)
     return;
@@ -135,6 +136,11 @@ core::SolveReport TetherEstimator::step(const core::EndPaths& paths, const EndTa
   return stepper_.advance(model_, paths, t, state_);
 }
 
+double TetherEstimator::tensionStddev() const
+{
+  return std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
+}
+
 // What makes the numbers of an observed vehicle worthless, though it coasts on.
 Reason TetherEstimator::lackOf(double t) const
 {
@@ -142,9 +148,8 @@ Reason TetherEstimator::lackOf(double t) const
     return Reason::NONE;
   if (observer_.silence(observedAge(t)) > config_.invalid_timeout)
     return Reason::VEHICLE_STALE;
-  const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
-  return band <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE
-                                                                                 : Reason::UNCERTAIN;
+  return tensionStddev() <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE
+                                                                                            : Reason::UNCERTAIN;
 }
 
 // What makes them doubtful.
@@ -156,9 +161,8 @@ Reason TetherEstimator::doubt(double t) const
     return Reason::DISAGREEMENT;
   if (observer_.silence(observedAge(t)) > config_.pose_timeout)
     return Reason::VEHICLE_STALE;
-  const double band = std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
-  return band > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN
-                                                                                 : Reason::NONE;
+  return tensionStddev() > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN
+                                                                                            : Reason::NONE;
 }
 
 const TetherEstimate& TetherEstimator::withhold(Reason reason)

@@ -20,11 +20,6 @@ constexpr double PULL_RATE = 0.2;    // [1/s] bandwidth with which the nominal v
 constexpr double STRONGEST = 2.0;    // pull over the standard deviation of the disturbance [-]
 constexpr double MOST_DOUBT =
     2.0;  // standard deviation of the disturbance over that before the first measurement [-]
-
-core::Vector3 shares(const DisturbanceModel& model)
-{
-  return {1.0, 1.0, model.vertical};
-}
 }  // namespace
 
 void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& place, double velocity_stddev,
@@ -43,7 +38,7 @@ void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& pl
   covariance_.diagonal().segment<3>(3).setConstant(velocity_stddev * velocity_stddev);
   // A force that has to be there already says how large such forces are.
   covariance_.diagonal().segment<3>(6) =
-      (UNBALANCED * shares(model) * model.force).cwiseAbs2() + (SURPRISE * force).cwiseAbs2();
+      (UNBALANCED * model.shares() * model.force).cwiseAbs2() + (SURPRISE * force).cwiseAbs2();
   covariance_(9, 9) = model.drag * model.drag;
   covariance_(10, 10) = model.first_reach * model.first_reach;
   // At the start the vehicle is in balance: what is wrong of its place or its drag is wrong of the disturbance.
@@ -128,7 +123,7 @@ void VehicleFilter::spread()
   // Unrest has no favourite direction.
   const double walk = model_.force_walk * model_.force_walk * waiting_;
   covariance_.diagonal().segment<3>(6) +=
-      walk * (shares(model_).cwiseAbs2() + core::Vector3::Constant(unrest_ * unrest_ - 1.0));
+      walk * (model_.shares().cwiseAbs2() + core::Vector3::Constant(unrest_ * unrest_ - 1.0));
   const double drag_walk = unrest_ * model_.drag_walk;
   covariance_(9, 9) += waiting_ * drag_walk * drag_walk;
   covariance_(10, 10) += waiting_ * 2.0 * model_.reach * model_.reach / REACH_TIME;

@@ -154,8 +154,8 @@ core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core:
                                              const core::SteadyEnds& ends, const core::Vector3& thrust,
                                              core::NodeField& shape)
 {
-  const DisturbanceModel model_of_it = disturbanceModel(navigation_, body_);
-  const core::Vector3 usual = model_of_it.force * core::Vector3(1.0, 1.0, model_of_it.vertical);
+  const DisturbanceModel disturbance = disturbanceModel(navigation_, body_);
+  const core::Vector3 usual = disturbance.force * disturbance.shares();
   VehicleStart start;
   start_scale_ = 1.0;
   core::SolveReport report = findVehicleStart(statics, model, ends, first_stddev_, thrust, usual, start);

@@ -283,11 +283,11 @@ core::EndPoint VesselFilter::way(double t) const
   return end;
 }
 
-double VesselFilter::errorRate(double t) const
+double VesselFilter::errorRate(const Motion& motion)
 {
-  const Motion m = at(t);
-  return std::clamp(std::sqrt(m.acceleration_stddev.maxCoeff() / std::max(m.position_stddev.maxCoeff(), 1e-6)),
-                    0.3, FASTEST_ERROR);
+  return std::clamp(
+      std::sqrt(motion.acceleration_stddev.maxCoeff() / std::max(motion.position_stddev.maxCoeff(), 1e-6)), 0.3,
+      FASTEST_ERROR);
 }
 
 bool VesselFilter::isSound() const

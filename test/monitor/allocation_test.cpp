@@ -77,10 +77,7 @@ TEST(Allocation, NorDoesAnObservedVehicle)
 {
   Config config = testConfig();
   config.vehicle_mode = VehicleMode::OBSERVED;
-  config.vehicle_body.mass = 150.0;
-  config.vehicle_body.volume = 0.1;
-  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
-  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  config.vehicle_body = smallVehicle();
   TetherEstimator estimator(config);
   const auto run = [&](int from, int to)
   {
@@ -109,10 +106,7 @@ TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)
   Config config = testConfig();
   config.elements = 60;
   config.vehicle_mode = VehicleMode::FREE;
-  config.vehicle_body.mass = 150.0;
-  config.vehicle_body.volume = 0.1;
-  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
-  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  config.vehicle_body = smallVehicle();
   config.drag_amplification = 1.5;
   config.environment.waves = {0.5, 60.0, 0.0, 0.0};
   config.environment.wind = {5.0, 0.0, 0.0};

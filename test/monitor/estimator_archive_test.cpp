@@ -14,10 +14,7 @@ Config fullConfig()
 {
   Config config = testConfig();
   config.vehicle_mode = VehicleMode::FREE;
-  config.vehicle_body.mass = 150.0;
-  config.vehicle_body.volume = 0.1;
-  config.vehicle_body.inertia = {5.0, 20.0, 20.0};
-  config.vehicle_body.drag_area = {0.1, 0.4, 0.4};
+  config.vehicle_body = smallVehicle();
   config.vehicle_body.attachment = {0.3, 0.0, 0.1};
   config.drag_amplification = 1.5;
   config.environment.waves = {0.5, 60.0, 0.0, 0.0};

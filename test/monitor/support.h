@@ -20,6 +20,17 @@ inline Config testConfig()
   return c;
 }
 
+/// A simulated vehicle that hangs from it.
+inline core::RigidBody smallVehicle()
+{
+  core::RigidBody body;
+  body.mass = 150.0;
+  body.volume = 0.1;
+  body.inertia = {5.0, 20.0, 20.0};
+  body.drag_area = {0.1, 0.4, 0.4};
+  return body;
+}
+
 /// Feeds level poses to both tracks and ticks, at 20 Hz of a clock that it owns.
 class Feeder
 {

@@ -162,6 +162,16 @@ void judge(FixJudge& judge, VehicleFilter& filter, double t, const Vector3& offs
   filter.predict(1.0, Vector3::Zero(), judge.unrest());
   judge.judge({t, VehicleFix::Kind::POSITION, Vector3::Zero(), Vector3::Constant(0.3)}, offset, filter);
 }
+
+// A judge that has believed a minute of good positions.
+FixJudge trusting(VehicleFilter& filter)
+{
+  FixJudge j;
+  j.start(0.0, 0.0);
+  for (int t = 1; t <= 60; ++t)
+    judge(j, filter, t, Vector3::Zero());
+  return j;
+}
 }  // namespace
 
 TEST(FixJudge, RefusesOutliersAndNotWhatIsGood)
@@ -186,10 +196,7 @@ TEST(FixJudge, RefusesOutliersAndNotWhatIsGood)
 TEST(FixJudge, GivesWayAfterAGapAndStaysInQuestionOtherwise)
 {
   VehicleFilter filter = started();
-  FixJudge j;
-  j.start(0.0, 0.0);
-  for (int t = 1; t <= 60; ++t)
-    judge(j, filter, t, Vector3::Zero());
+  FixJudge j = trusting(filter);
   VehicleFilter other_filter = filter;
   FixJudge other = j;
 
@@ -216,10 +223,7 @@ TEST(FixJudge, GivesWayAfterAGapAndStaysInQuestionOtherwise)
 TEST(FixJudge, JumpsAreNeverFollowed)
 {
   VehicleFilter filter = started();
-  FixJudge j;
-  j.start(0.0, 0.0);
-  for (int t = 1; t <= 60; ++t)
-    judge(j, filter, t, Vector3::Zero());
+  FixJudge j = trusting(filter);
   for (int t = 61; t < 400; ++t)
     judge(j, filter, t, 50.0 * Vector3(std::sin(t / 5), std::cos(2 * (t / 5)), 0.0));
   EXPECT_EQ(j.report().reacquired, 0);

@@ -39,7 +39,6 @@ class Ring
   void clear() { first_ = size_ = 0; }
   /// Every slot, used or not.
   std::vector<T>& slots() { return slots_; }
-  const std::vector<T>& slots() const { return slots_; }
   bool isSound(std::size_t capacity) const
   {
     return slots_.size() == capacity && (first_ < capacity || first_ == 0) && size_ <= capacity;

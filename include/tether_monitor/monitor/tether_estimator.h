@@ -205,6 +205,7 @@ class TetherEstimator
   EndTargets targetsAt(double t);
   void aimAtObserved(double t, EndTargets& targets);
   core::CableModel modelAtRest() const;
+  double tensionStddev() const;
   Reason lackOf(double t) const;
   Reason doubt(double t) const;
   core::SolveReport step(const core::EndPaths& paths, const EndTargets& ends, double t);

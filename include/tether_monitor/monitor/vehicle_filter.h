@@ -18,6 +18,9 @@ struct DisturbanceModel
   double reach = 0.01;  ///< standard deviation of the distance of the ends that the model cannot explain [m], > 0.
   double first_reach = 0.1;     ///< the same at the start, when the tether's shape is not known yet [m], > 0.
   double acceleration = 0.002;  ///< white acceleration that the model does not explain [m/s^2/sqrt(Hz)], >= 0.
+
+  /// How much of a force there is along every axis [-].
+  core::Vector3 shares() const { return {1.0, 1.0, vertical}; }
 };
 
 /**
@@ -82,8 +85,6 @@ class VehicleFilter
   double dragError() const { return drag_share_ + error_[9]; }
   const Matrix& covariance() const { return covariance_; }
   core::Vector3 positionStddev() const;
-  /// Best estimate of the error of the reach [m].
-  double reachError() const { return error_[10]; }
   core::Vector3 velocityStddev() const { return covariance_.diagonal().segment<3>(3).cwiseMax(0.0).cwiseSqrt(); }
   core::Vector3 forceStddev() const;
   /// Standard deviation of a tension [N], of the filter's own uncertainty.

@@ -51,8 +51,6 @@ class VesselFilter
   bool hasPosition() const;
   /// Age at time t of the last measured position of the axis that has waited longest [s]; infinite before.
   double age(double t) const;
-  /// Time of the last measurement of anything [s].
-  double lastTime() const { return log_.empty() ? 0.0 : log_.back().t; }
   /// At time t [s]; hasPosition() must hold.
   Motion at(double t) const;
   /// The straight way of the last seconds, without the motion in the waves.
@@ -64,8 +62,8 @@ class VesselFilter
   Motion follow(double t);
   /// Begins to follow at time t [s] at `from` instead of at(t); the difference fades within some ten seconds.
   void followFrom(double t, const core::EndPoint& from);
-  /// How fast the errors of the motion are [1/s].
-  double errorRate(double t) const;
+  /// How fast the errors of a motion are [1/s].
+  static double errorRate(const Motion& motion);
   const AxisFilter& axis(int i) const { return filters_[i]; }
   /// Measurements that were far beyond what the filter could believe.
   long outliers() const { return outliers_; }
