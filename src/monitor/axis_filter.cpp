@@ -128,6 +128,15 @@ void AxisFilter::learn(double dt)
   height_ = std::clamp(std::sqrt(swing_square_), LOWEST, HIGHEST);
 }
 
+void AxisFilter::expectWaves(double rate, double height)
+{
+  rate_ = std::clamp(rate, SLOWEST, FASTEST);
+  height_ = std::clamp(height, LOWEST, HIGHEST);
+  swing_square_ = height_ * height_;
+  velocity_square_ = swing_square_ * rate_ * rate_;
+  since_start_ = std::max(since_start_, FIRST_LOOK);
+}
+
 void AxisFilter::predict(double t)
 {
   while (t - time_ > 1e-9)

@@ -115,7 +115,7 @@ void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
   if (settled_)
     return;
   // A steady state has no waves: it begins on the vessel's way and fades into its motion.
-  targets.vessel = vessel_filter_.way(t);
+  targets.vessel = vessel_filter_.findWay(t);
   vessel_filter_.followFrom(t, targets.vessel);
   const core::Vector3& velocity = targets.vessel.velocity;
   const core::Vector3 place = observer_.firstPosition(t, velocity).value_or(targets.vessel.position);
@@ -125,7 +125,8 @@ void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
 core::SolveReport TetherEstimator::findStart(const core::SteadyEnds& steady, core::NodeField& shape)
 {
   if (isVehicleObserved())
-    return observer_.findStart(statics_, model_, steady, vehicle_.lastOrientation() * thrust_.force, shape);
+    return observer_.findStart(statics_, model_, steady, vessel_filter_.wayStddev(),
+                               vehicle_.lastOrientation() * thrust_.force, shape);
   return core::findSteadyState(statics_, model_, steady, shape);
 }
 

@@ -16,6 +16,7 @@ constexpr double FIXED_PLACE = 0.3, FIXED_SPEED = 0.03,
                  FIXED_FORCE = 0.001;  // a free body's triple pole at 0.1 rad/s
 constexpr double HANDOVER = 4;  // [s] in which the nominal vehicle takes over what is known of the disturbance
 constexpr double REACH_TIME = 60.0;  // [s] in which an error of the reach fades
+constexpr double SHAPE_TIME = 60.0;  // [s] in which a tether forgets how it began
 constexpr double PULL_RATE = 0.2;    // [1/s] bandwidth with which the nominal vehicle follows the mean
 constexpr double STRONGEST = 2.0;    // pull over the standard deviation of the disturbance [-]
 constexpr double MOST_DOUBT =
@@ -23,7 +24,8 @@ constexpr double MOST_DOUBT =
 }  // namespace
 
 void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& place, double velocity_stddev,
-                          const core::Vector3& force, const core::Vector3& drag, const EndStiffness& stiffness)
+                          const core::Vector3& force, const core::Matrix3& force_doubt, const core::Vector3& drag,
+                          const EndStiffness& stiffness)
 {
   model_ = model;
   error_.setZero();
@@ -39,6 +41,8 @@ void VehicleFilter::start(const DisturbanceModel& model, const core::Matrix3& pl
   // A force that has to be there already says how large such forces are.
   covariance_.diagonal().segment<3>(6) =
       (UNBALANCED * model.shares() * model.force).cwiseAbs2() + (SURPRISE * force).cwiseAbs2();
+  covariance_.block<3, 3>(6, 6) += force_doubt;
+  start_doubt_ = force_doubt;
   covariance_(9, 9) = model.drag * model.drag;
   covariance_(10, 10) = model.first_reach * model.first_reach;
   // At the start the vehicle is in balance: what is wrong of its place or its drag is wrong of the disturbance.
@@ -124,6 +128,10 @@ void VehicleFilter::spread()
   const double walk = model_.force_walk * model_.force_walk * waiting_;
   covariance_.diagonal().segment<3>(6) +=
       walk * (model_.shares().cwiseAbs2() + core::Vector3::Constant(unrest_ * unrest_ - 1.0));
+  // A tether that does not begin in the steady state pulls differently until it is there.
+  const double left = std::exp(-2.0 * waiting_ / SHAPE_TIME);
+  covariance_.block<3, 3>(6, 6) += (1.0 - left) * start_doubt_;
+  start_doubt_ *= left;
   const double drag_walk = unrest_ * model_.drag_walk;
   covariance_(9, 9) += waiting_ * drag_walk * drag_walk;
   covariance_(10, 10) += waiting_ * 2.0 * model_.reach * model_.reach / REACH_TIME;

@@ -151,8 +151,8 @@ bool VehicleObserver::isReady(double t) const
 }
 
 core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core::CableModel& model,
-                                             const core::SteadyEnds& ends, const core::Vector3& thrust,
-                                             core::NodeField& shape)
+                                             const core::SteadyEnds& ends, const core::Vector3& velocity_stddev,
+                                             const core::Vector3& thrust, core::NodeField& shape)
 {
   const DisturbanceModel disturbance = disturbanceModel(navigation_, body_);
   const core::Vector3 usual = disturbance.force * disturbance.shares();
@@ -170,6 +170,7 @@ core::SolveReport VehicleObserver::findStart(core::Statics& statics, const core:
   live_.overstretch = (ends.vehicle - ends.vessel).norm() > model.length() + 3.0 * first_stddev_ ? 1.0 : 0.0;
   start_force_ = start.force;
   start_place_ = start.place;
+  start_doubt_ = forceOfWay(statics, model, ends, velocity_stddev, start);
   shape = start.shape;
   return report;
 }
@@ -202,7 +203,7 @@ void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& 
   DisturbanceModel disturbance = disturbanceModel(navigation_, body_);
   disturbance.force *= start_scale_;
   disturbance.force_walk *= start_scale_;
-  live_.filter.start(disturbance, start_place_, SPEED_DOUBT, start_force_,
+  live_.filter.start(disturbance, start_place_, SPEED_DOUBT, start_force_, start_doubt_,
                      core::bodyDrag(body_, model.sea(), state.time,
                                     core::attachmentMotion(state, model.elements()), state.vehicle),
                      stiffness);
@@ -240,7 +241,13 @@ void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, 
     live_.overstretch +=
         STRETCH_SHARE * (std::clamp(excess / sure, -STRETCH_MOST, STRETCH_MOST) - live_.overstretch);
   }
-  live_.judge.judge(fix, value - expected, live_.filter);
+  // What is wrong of the vessel's end shakes the vehicle along the chord.
+  const core::Vector3& chord = live_.filter.stiffness().chord;
+  const double shaken = chord.cwiseProduct(step.vessel_stddev).norm();
+  VehicleFix doubted = fix;
+  if (is_position)
+    doubted.stddev = (fix.stddev.cwiseAbs2() + shaken * shaken * chord.cwiseAbs2()).cwiseSqrt();
+  live_.judge.judge(doubted, value - expected, live_.filter);
 }
 
 core::SolveReport VehicleObserver::make(const Step& step, core::CableModel& model, core::Stepper& stepper,

@@ -19,6 +19,24 @@ constexpr double LONGEST_REACH = 0.9995;  // chord over length at which a vehicl
 constexpr int PASSES = 8;
 constexpr double GOOD = 1e-3;  // relative gain of a pass that is not worth another
 
+// What keeps the vehicle in balance at a place, from other than the sea and the tether.
+core::SolveReport findHoldingForce(core::Statics& statics, const core::CableModel& model,
+                                   const core::SteadyEnds& at, core::NodeField& shape, core::Vector3& force)
+{
+  core::CableModel held = model;
+  held.setBodies({});
+  const core::SolveReport report = core::findSteadyState(statics, held, at, shape);
+  if (!report.converged())
+    return report;
+  core::CableState state(0.0, shape, at.velocity);
+  core::beginContact(held, state);
+  core::Sea calm = model.sea();
+  calm.calm();
+  force = -core::steadyForce(*model.bodies().vehicle, calm, at.vehicle, at.velocity) -
+          core::endForces(held, state).vehicle;
+  return report;
+}
+
 class Search
 {
  public:
@@ -62,21 +80,15 @@ class Search
   // At the measured place, as far as the tether reaches.
   void hold()
   {
-    core::CableModel held = model_;
-    held.setBodies({});
     core::SteadyEnds at = ends_;
     const core::Vector3 away = ends_.vehicle - ends_.vessel;
     at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length() / away.norm()) * away;
     core::NodeField shape;
-    const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
+    core::Vector3 force;
+    const core::SolveReport report = findHoldingForce(statics_, model_, at, shape, force);
     if (!report.converged())
       return;
-    core::CableState state(0.0, shape, ends_.velocity);
-    core::beginContact(held, state);
-    core::Sea calm = model_.sea();
-    calm.calm();
-    const core::Vector3 force = -core::steadyForce(body_, calm, at.vehicle, ends_.velocity) -
-                                core::endForces(held, state).vehicle - thrust_;
+    force -= thrust_;
     take(force, shape, report);
   }
 
@@ -145,6 +157,27 @@ core::SolveReport findVehicleStart(core::Statics& statics, const core::CableMode
   else
     start = search.best();
   return report;
+}
+
+core::Matrix3 forceOfWay(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends,
+                         const core::Vector3& velocity_stddev, const VehicleStart& start)
+{
+  core::Matrix3 covariance = core::Matrix3::Zero();
+  core::SteadyEnds at = ends;
+  at.vehicle = start.shape.back().head<3>();
+  core::NodeField shape;
+  core::Vector3 usual;
+  if (!findHoldingForce(statics, model, at, shape, usual).converged())
+    return covariance;
+  for (int i = 0; i < 3; ++i)
+  {
+    at.velocity = ends.velocity;
+    at.velocity[i] += velocity_stddev[i];
+    core::Vector3 force;
+    if (velocity_stddev[i] > 0.0 && findHoldingForce(statics, model, at, shape, force).converged())
+      covariance += (force - usual) * (force - usual).transpose();
+  }
+  return covariance;
 }
 
 }  // namespace tether_monitor::monitor

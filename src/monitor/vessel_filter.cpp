@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tether_monitor/monitor/way_fit.h"
+
 namespace tether_monitor::monitor
 {
 namespace
@@ -19,8 +21,8 @@ constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to beg
 constexpr double FADING = 0.3;                     // rate at which a correction fades [1/s]
 constexpr double RESTLESS = 3.0;                   // squared innovations over what they should be that mean so
 constexpr double FASTEST_FADING = 10.0;            // factor on it then
-constexpr double FIRST_FADING = 8.0;               // so much slower it is at first, ...
-constexpr double FIRST_TIME = 10.0;                // ... less and less within this time [s]
+constexpr double CHANCE = 4.0;                     // corrections over their deviation that are nothing unusual
+constexpr double WAVES_RISE = 14.0;                // [s] in which waves come on top of the way at the start
 constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
 constexpr double FASTEST_ERROR = 1.0;              // rate of the errors that fading leaves [1/s]
 constexpr double WAY = 20.0;                       // [s] over which a vessel goes straight
@@ -43,6 +45,7 @@ void VesselFilter::clear()
   last_measured_.fill(-std::numeric_limits<double>::infinity());
   first_ = std::numeric_limits<double>::infinity();
   surprises_ = {};
+  way_stddev_.setZero();
   following_since_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -210,8 +213,8 @@ VesselFilter::Motion VesselFilter::at(double t) const
 
 void VesselFilter::followFrom(double t, const core::EndPoint& from)
 {
-  const core::EndPoint now = at(t).end;
-  offset_ = {from.position - now.position, from.velocity - now.velocity};
+  offset_ = core::EndPoint();
+  begun_ = from;
   shown_ = filters_;
   shown_at_ = following_since_ = t;
 }
@@ -227,10 +230,9 @@ VesselFilter::Motion VesselFilter::follow(double t)
     // What the measurements since then have changed, and its critically damped fading.
     const core::EndPoint expected = motionOf(shown_, t).end;
     // An axis that its filter does not predict has to be followed faster.
-    const double slow = std::max(1.0, FIRST_FADING * (1.0 - (t - following_since_) / FIRST_TIME));
     for (int i = 0; i < 3; ++i)
     {
-      const double w = FADING / slow * std::clamp(filters_[i].restlessness() / RESTLESS, 1.0, FASTEST_FADING);
+      const double w = FADING * std::clamp(filters_[i].restlessness() / RESTLESS, 1.0, FASTEST_FADING);
       const double decay = std::exp(-w * dt), drive = offset_.velocity[i] + w * offset_.position[i];
       offset_.position[i] =
           decay * (offset_.position[i] + dt * drive) - (motion.end.position[i] - expected.position[i]);
@@ -242,7 +244,32 @@ VesselFilter::Motion VesselFilter::follow(double t)
   shown_at_ = t;
   motion.end.position += offset_.position;
   motion.end.velocity += offset_.velocity;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double swing = std::hypot(offset_.position[i], offset_.velocity[i] / filters_[i].waveRate());
+    const double chance = CHANCE * motion.position_stddev[i];
+    if (swing > chance)
+      motion.position_stddev[i] =
+          std::sqrt(swing * swing - chance * chance + std::pow(motion.position_stddev[i], 2));
+  }
+  riseFromTheWay(t, motion);
   return motion;
+}
+
+// What is not shown yet of the waves is known to be missing.
+void VesselFilter::riseFromTheWay(double t, Motion& motion) const
+{
+  const double x = (t - following_since_) / WAVES_RISE;
+  if (x >= 1.0)
+    return;
+  const double share = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+  const double rate = 30.0 * x * x * (1.0 - x) * (1.0 - x) / WAVES_RISE;
+  const core::Vector3 way = begun_.position + (t - following_since_) * begun_.velocity;
+  const core::Vector3 off = motion.end.position - way;
+  motion.position_stddev =
+      (motion.position_stddev.cwiseAbs2() + (1.0 - share) * (1.0 - share) * off.cwiseAbs2()).cwiseSqrt();
+  motion.end.velocity = begun_.velocity + share * (motion.end.velocity - begun_.velocity) + rate * off;
+  motion.end.position = way + share * off;
 }
 
 VesselFilter::Motion VesselFilter::motionOf(const Filters& filters, double t)
@@ -259,26 +286,24 @@ VesselFilter::Motion VesselFilter::motionOf(const Filters& filters, double t)
   return motion;
 }
 
-core::EndPoint VesselFilter::way(double t) const
+core::EndPoint VesselFilter::findWay(double t)
 {
   core::EndPoint end = at(t).end;
+  std::array<WaySample, CAPACITY> samples;
   for (int i = 0; i < 3; ++i)
   {
-    double n = 0.0, mean_t = 0.0, mean = 0.0, square = 0.0, product = 0.0;
+    std::size_t count = 0;
     for (const Entry& e : log_)
       if (!e.is_velocity && std::isfinite(e.stddev[i]) && e.t > t - WAY)
-      {
-        n += 1.0;
-        const double dt = e.t - t - mean_t, dx = e.value[i] - mean;
-        mean_t += dt / n;
-        mean += dx / n;
-        square += dt * (e.t - t - mean_t);
-        product += dt * (e.value[i] - mean);
-      }
-    if (n < 2.0 || !(square > 0.0))
+        samples[count++] = {e.t, e.value[i]};
+    if (count < 2)
       continue;
-    end.velocity[i] = i < 2 ? product / square : 0.0;  // no vessel rises for long
-    end.position[i] = mean - end.velocity[i] * mean_t;
+    const Way found = fitWay(samples.data(), count, t, i == 2);  // no vessel rises for long
+    end.position[i] = found.position;
+    end.velocity[i] = found.velocity;
+    way_stddev_[i] = found.velocity_stddev;
+    if (found.wave_rate > 0.0)
+      filters_[i].expectWaves(found.wave_rate, found.wave_height);
   }
   return end;
 }
@@ -296,7 +321,8 @@ bool VesselFilter::isSound() const
   { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isSound(); }); };
   bool sound = log_.size() <= CAPACITY && checkpoints_.size() <= CHECKPOINTS && areSound(filters_) &&
                areSound(shown_) && areSound(scatter_) && areSound(velocity_scatter_) && std::isfinite(shown_at_) &&
-               offset_.position.allFinite() && offset_.velocity.allFinite();
+               offset_.position.allFinite() && offset_.velocity.allFinite() && begun_.position.allFinite() &&
+               begun_.velocity.allFinite() && way_stddev_.allFinite();
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < checkpoints_.size(); ++i)

@@ -61,7 +61,8 @@ TetherSimRos::TetherSimRos(const ros::NodeHandle& nh, const ros::NodeHandle& pri
     simulator_(config_, plan_),
     vessel_sensor_(plan_.vessel_sensor, plan_.seed),
     vehicle_sensor_(plan_.vehicle_sensor, plan_.seed + 1),
-    generator_(plan_.seed + 2)
+    heave_sensor_(plan_.heave, plan_.seed + 2),
+    generator_(plan_.seed + 3)
 {
   if (plan_.heave.rate > 0.0)
     vessel_odometry_ = nh_.advertise<nav_msgs::Odometry>("vessel/odom", QUEUE);
@@ -206,16 +207,15 @@ void TetherSimRos::publishOdometry(const simulation::Measurement& m)
 // The height alone, from the motion sensor, with the attitude of the moment.
 void TetherSimRos::publishHeave(double t)
 {
-  if (!vessel_odometry_ || t < next_heave_ - 1e-9)
-    return;
-  next_heave_ = std::max(next_heave_ + 1.0 / plan_.heave.rate, t);
-  std::normal_distribution<double> noise;
   const monitor::BodyState vessel = simulator_.vessel();
+  const std::optional<double> height = heave_sensor_.look(t, vessel);
+  if (!height)
+    return;
   nav_msgs::Odometry message;
   message.header.stamp = stamp(t);
   message.header.frame_id = config_.world_frame;
   message.child_frame_id = config_.vessel.frame;
-  message.pose.pose.position.z = vessel.position.z() + plan_.heave.stddev * noise(generator_);
+  message.pose.pose.position.z = *height;
   message.pose.pose.orientation = quaternionMessage(vessel.orientation);
   for (int i = 0; i < 3; ++i)
   {

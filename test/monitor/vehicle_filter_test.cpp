@@ -29,8 +29,8 @@ EndStiffness springs()
 VehicleFilter started(const EndStiffness& stiffness = springs())
 {
   VehicleFilter filter;
-  filter.start(DisturbanceModel(), 0.09 * Matrix3::Identity(), 0.2, Vector3::Zero(), Vector3(-100, 0, 0),
-               stiffness);
+  filter.start(DisturbanceModel(), 0.09 * Matrix3::Identity(), 0.2, Vector3::Zero(), Matrix3::Zero(),
+               Vector3(-100, 0, 0), stiffness);
   return filter;
 }
 

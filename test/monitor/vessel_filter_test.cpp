@@ -145,7 +145,7 @@ TEST(VesselFilter, KnowsWhenItIsReadyAndHowOldItIs)
     filter.addPosition(t, {0.0, 0.0, 1.0}, {UNMEASURED, UNMEASURED, 0.03});
   EXPECT_NEAR(filter.age(25.0), 5.1, 0.15) << "heave goes on, the position has stopped";
   EXPECT_GT(filter.at(25.0).position_stddev.x(), filter.at(25.0).position_stddev.z());
-  EXPECT_EQ(filter.way(25.0).velocity.z(), 0.0);
+  EXPECT_EQ(filter.findWay(25.0).velocity.z(), 0.0);
 }
 
 TEST(Scatter, IsTheNoiseAndNotTheMotion)

@@ -1,32 +1,17 @@
+#include "tether_monitor/simulation/simulator.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "scenario.h"
 #include "tether_monitor/core/statics.h"
-#include "tether_monitor/params/load_config.h"
-#include "tether_monitor/params/load_simulation.h"
-#include "tether_monitor/params/yaml_file.h"
 #include "tether_monitor/simulation/sensor.h"
-#include "tether_monitor/simulation/simulator.h"
 
 namespace tether_monitor::simulation
 {
 namespace
 {
-struct Scenario
-{
-  explicit Scenario(const std::string& name)
-    : tree(params::readYamlFile(PROJECT_DIR "/config/scenarios/" + name + ".yaml")),
-      config(params::loadConfig(tree, name)),
-      simulation(params::loadSimulation(tree, name))
-  {
-  }
-
-  params::Value tree;
-  monitor::Config config;
-  SimulationConfig simulation;
-};
-
 double yaw(const Eigen::Quaterniond& q)
 {
   const core::Vector3 x = q * core::Vector3::UnitX();

@@ -43,6 +43,8 @@ class AxisFilter
   /// Innovation of a position or of a velocity over its standard deviation [-].
   double surprise(double position, double stddev) const;
   double velocitySurprise(double velocity, double stddev) const;
+  /// Takes it from others what the waves are like: their frequency [rad/s] and standard deviation [m].
+  void expectWaves(double rate, double height);
   /// False for what no measurements can have made.
   bool isSound() const;
   /// At time t [s], not before time(); the filter stays where it is.

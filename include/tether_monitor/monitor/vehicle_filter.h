@@ -45,10 +45,12 @@ class VehicleFilter
    * @param place            covariance of the position [m^2].
    * @param velocity_stddev  [m/s]
    * @param force            disturbance that is acting [N].
+   * @param force_doubt      covariance of it, beyond what is usual [N^2].
    * @param drag             on the vehicle [N].
    */
   void start(const DisturbanceModel& model, const core::Matrix3& place, double velocity_stddev,
-             const core::Vector3& force, const core::Vector3& drag, const EndStiffness& stiffness);
+             const core::Vector3& force, const core::Matrix3& force_doubt, const core::Vector3& drag,
+             const EndStiffness& stiffness);
   /// The tether's part in the motion, from now on.
   void setStiffness(const EndStiffness& stiffness);
 
@@ -98,7 +100,7 @@ class VehicleFilter
   {
     a(model_.gains, model_.force, model_.vertical, model_.force_walk, model_.drag, model_.drag_walk, model_.reach,
       model_.first_reach, model_.acceleration, stiffness_, mass_inverse_, error_, covariance_, disturbance_,
-      drag_force_, drag_, drag_share_, mean_transition_, mean_drive_, mean_dt_, waiting_, unrest_);
+      drag_force_, drag_, drag_share_, start_doubt_, mean_transition_, mean_drive_, mean_dt_, waiting_, unrest_);
   }
 
  private:
@@ -119,7 +121,9 @@ class VehicleFilter
   core::Vector3 drag_force_ = core::Vector3::Zero();   // likewise, of the error of the drag
   core::Vector3 drag_ = core::Vector3::Zero();         // on the nominal vehicle [N]
   double drag_share_ = 0.0;                            // in the nominal motion [-]
-  Matrix mean_transition_ = Matrix::Identity();        // over mean_dt_
+  core::Matrix3 start_doubt_ =
+      core::Matrix3::Zero();                     // what is left of the doubt about the force of the start [N^2]
+  Matrix mean_transition_ = Matrix::Identity();  // over mean_dt_
   Eigen::Matrix<double, STATES, 3> mean_drive_ = Eigen::Matrix<double, STATES, 3>::Zero();
   double mean_dt_ = 0.0;
   double waiting_ = 0.0;  // [s] that the covariance is behind

@@ -45,10 +45,12 @@ class VehicleObserver
    *
    * @param model  with the simulated vehicle.
    * @param ends   with the measured place of the tether's end at the vehicle.
+   * @param velocity_stddev  of the common velocity [m/s].
    * @param shape  out: unchanged unless the report says converged.
    */
   core::SolveReport findStart(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends,
-                              const core::Vector3& thrust, core::NodeField& shape);
+                              const core::Vector3& velocity_stddev, const core::Vector3& thrust,
+                              core::NodeField& shape);
   /// Begins at a state of findStart(). @param origin  of the model's coordinates in the world [m].
   void begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state);
   /// The model with the vehicle of findStart(), what is told and what is not acting on it.
@@ -98,7 +100,7 @@ class VehicleObserver
   void archive(Archive& a)
   {
     a(log_, live_, attitude_, origin_, begun_at_, first_stddev_, start_scale_, start_force_, start_place_,
-      repeated_, steps_, saved_, newest_, interval_, lateness_);
+      start_doubt_, repeated_, steps_, saved_, newest_, interval_, lateness_);
   }
 
  private:
@@ -171,6 +173,7 @@ class VehicleObserver
   double first_stddev_ = 0.0;  // of firstPosition() [m]
   core::Vector3 start_force_ = core::Vector3::Zero();
   core::Matrix3 start_place_ = core::Matrix3::Identity();  // covariance
+  core::Matrix3 start_doubt_ = core::Matrix3::Zero();      // covariance of the force
   long repeated_ = 0;
   Ring<Step> steps_;
   Ring<Saved> saved_;

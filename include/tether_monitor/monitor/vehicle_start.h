@@ -32,4 +32,13 @@ core::SolveReport findVehicleStart(core::Statics& statics, const core::CableMode
                                    const core::SteadyEnds& ends, double place_stddev, const core::Vector3& thrust,
                                    const core::Vector3& force_stddev, VehicleStart& start);
 
+/**
+ * What a velocity of the steady state that is not quite known makes of the force of a start.
+ *
+ * @param velocity_stddev  of the common velocity [m/s].
+ * @return                 covariance of the force [N^2].
+ */
+core::Matrix3 forceOfWay(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends,
+                         const core::Vector3& velocity_stddev, const VehicleStart& start);
+
 }  // namespace tether_monitor::monitor

@@ -53,14 +53,16 @@ class VesselFilter
   double age(double t) const;
   /// At time t [s]; hasPosition() must hold.
   Motion at(double t) const;
-  /// The straight way of the last seconds, without the motion in the waves.
-  core::EndPoint way(double t) const;
+  /// The straight way of the last seconds, without the motion in the waves, which the filters learn at once.
+  core::EndPoint findWay(double t);
+  /// Standard deviation of the velocity that findWay() has found [m/s].
+  const core::Vector3& wayStddev() const { return way_stddev_; }
   /**
    * As at(), for a tether to follow: what a measurement corrects fades in, so that no correction is a shock to a
    * taut tether. Calls in order of t.
    */
   Motion follow(double t);
-  /// Begins to follow at time t [s] at `from` instead of at(t); the difference fades within some ten seconds.
+  /// Begins to follow at time t [s] on the straight way `from`; the rest of the motion comes on top within 14 s.
   void followFrom(double t, const core::EndPoint& from);
   /// How fast the errors of a motion are [1/s].
   static double errorRate(const Motion& motion);
@@ -73,7 +75,7 @@ class VesselFilter
   void archive(Archive& a)
   {
     a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, first_, outliers_, surprises_,
-      shown_, shown_at_, offset_, following_since_);
+      shown_, shown_at_, offset_, begun_, way_stddev_, following_since_);
   }
 
  private:
@@ -108,6 +110,7 @@ class VesselFilter
   void run(const Entry& entry);
   void remember(double t);
   static Motion motionOf(const Filters& filters, double t);
+  void riseFromTheWay(double t, Motion& motion) const;
 
   Filters filters_;
   std::array<Scatter, 3> scatter_, velocity_scatter_;
@@ -117,9 +120,11 @@ class VesselFilter
   double first_;
   long outliers_ = 0;
   std::array<int, 3> surprises_{};
-  Filters shown_;          // at the last follow()
-  double shown_at_ = 0.0;  // time of it
-  core::EndPoint offset_;  // of what was shown from what is known
+  Filters shown_;                                     // at the last follow()
+  double shown_at_ = 0.0;                             // time of it
+  core::EndPoint offset_;                             // of what was shown from what is known
+  core::EndPoint begun_;                              // of the way that it began to follow
+  core::Vector3 way_stddev_ = core::Vector3::Zero();  // of its velocity
   double following_since_;
 };
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "tether_monitor/simulation/heave_sensor.h"
 #include "tether_monitor/simulation/sensor.h"
 #include "tether_monitor/simulation/simulator.h"
 
@@ -52,6 +53,7 @@ class TetherSimRos
   monitor::Config config_;
   simulation::Simulator simulator_;
   simulation::Sensor vessel_sensor_, vehicle_sensor_;
+  simulation::HeaveSensor heave_sensor_;
   std::mt19937 generator_;
   tf2_ros::TransformBroadcaster broadcaster_;
   std::string frame_prefix_;
@@ -64,7 +66,6 @@ class TetherSimRos
   double period_ = 0.05;  // [s] of simulated time between ticks
   double time_ = 0.0;
   double next_payout_ = 0.0, next_obstacles_ = 0.0;
-  double next_heave_ = 0.0;
   bool started_ = false;
   bool running_ = true;
 };

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "scenario.h"
+#include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/simulation/heave_sensor.h"
+#include "tether_monitor/simulation/sensor.h"
+
+namespace tether_monitor::simulation
+{
+namespace
+{
+constexpr double TICK = 0.05;  // [s]
+
+struct Moment
+{
+  double t = 0.0;
+  monitor::BodyState vessel, vehicle;
+  double tension = 0.0;
+};
+
+std::vector<Moment> play(const Scenario& scenario, double duration)
+{
+  Simulator simulator(scenario.config, scenario.simulation);
+  std::vector<Moment> moments;
+  for (int i = 1; i * TICK <= duration; ++i)
+  {
+    EXPECT_TRUE(simulator.advance(i * TICK));
+    moments.push_back({i * TICK, simulator.vessel(), simulator.vehicle(), simulator.endForces().vessel.norm()});
+  }
+  return moments;
+}
+
+monitor::PoseMeasurement measured(double t, const monitor::BodyState& body, double stddev)
+{
+  monitor::PoseMeasurement m;
+  m.t = t;
+  m.position = body.position;
+  m.orientation = body.orientation;
+  m.position_stddev.setConstant(stddev);
+  return m;
+}
+
+struct Score
+{
+  double rms = 0.0, ok = 0.0, within_1 = 0.0, within_2 = 0.0;
+};
+
+// As the node does it, but every message arrives in time. From `begin` [s] on there are measurements; what is
+// published from a hundred seconds later on counts.
+Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsigned seed, double begin)
+{
+  const SimulationConfig& plan = scenario.simulation;
+  Sensor satellites(plan.vessel_sensor, seed), acoustics(plan.vehicle_sensor, seed + 1);
+  HeaveSensor heave(plan.heave, seed + 2);
+  monitor::TetherEstimator estimator(scenario.config);
+  double n = 0.0, mean = 0.0, square = 0.0, ok = 0.0, one = 0.0, two = 0.0;
+  for (const Moment& now : moments)
+  {
+    const auto positions = satellites.look(now.t, now.vessel), fixes = acoustics.look(now.t, now.vehicle);
+    const auto height = heave.look(now.t, now.vessel);
+    if (now.t < begin)
+      continue;
+    for (const Measurement& m : positions)
+      estimator.addVessel(measured(m.time, m.body, plan.vessel_sensor.position_stddev));
+    if (height)
+    {
+      monitor::PoseMeasurement m = measured(now.t, now.vessel, 1e3);
+      m.position = {0.0, 0.0, *height};
+      m.position_stddev.z() = plan.heave.stddev;
+      estimator.addVessel(m);
+    }
+    for (const Measurement& m : fixes)
+      estimator.addVehicle(measured(m.time, m.body, std::nan("")));
+    const monitor::TetherEstimate& e = estimator.tick(now.t);
+    if (now.t < begin + 100.0)
+      continue;
+    const double error = std::abs(e.vessel_tension - now.tension);
+    n += 1.0;
+    mean += now.tension;
+    square += error * error;
+    ok += e.status == monitor::Status::OK;
+    one += error <= e.vessel_tension_stddev;
+    two += error <= 2.0 * e.vessel_tension_stddev;
+  }
+  return {std::sqrt(square / n) / (mean / n), ok / n, one / n, two / n};
+}
+}  // namespace
+
+// The ship surges and pitches by a metre, seen five times a second; the drag is a fifth higher than told.
+TEST(AcousticNavigation, KnowsTheTensionInASeaway)
+{
+  const Scenario scenario("acoustic_navigation");
+  const std::vector<Moment> moments = play(scenario, 350.0);
+  double rms = 0.0, one = 0.0, two = 0.0;
+  int runs = 0;
+  for (const double begin : {100.0, 150.0, 200.0})
+    for (const unsigned seed : {11u, 12u, 13u, 14u})
+    {
+      const Score score = observe(scenario, moments, seed, begin);
+      EXPECT_GT(score.ok, 0.98) << seed << " from " << begin;
+      EXPECT_LT(score.rms, 0.09) << seed << " from " << begin;
+      rms += score.rms;
+      one += score.within_1;
+      two += score.within_2;
+      ++runs;
+    }
+  EXPECT_LT(rms / runs, 0.06);
+  EXPECT_NEAR(one / runs, 0.68, 0.15);
+  EXPECT_NEAR(two / runs, 0.95, 0.1);
+}
+
+// It begins while the waves throw ship and tether into a motion that is far from any steady state.
+TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
+{
+  const Scenario scenario("acoustic_navigation");
+  const std::vector<Moment> moments = play(scenario, 200.0);
+  double rms = 0.0;
+  int runs = 0;
+  for (const unsigned seed : {21u, 22u, 23u, 24u, 25u, 26u, 27u, 28u})
+  {
+    const Score score = observe(scenario, moments, seed, 0.0);
+    EXPECT_GT(score.ok, 0.95) << seed;
+    EXPECT_LT(score.rms, 0.13) << seed;
+    rms += score.rms;
+    ++runs;
+  }
+  EXPECT_LT(rms / runs, 0.09);
+}
+
+}  // namespace tether_monitor::simulation
