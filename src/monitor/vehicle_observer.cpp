@@ -241,7 +241,7 @@ void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, 
     live_.overstretch +=
         STRETCH_SHARE * (std::clamp(excess / sure, -STRETCH_MOST, STRETCH_MOST) - live_.overstretch);
   }
-  // What is wrong of the vessel's end shakes the vehicle along the chord.
+  // What is wrong of the vessel's end is wrong of the vehicle, along the chord.
   const core::Vector3& chord = live_.filter.stiffness().chord;
   const double shaken = chord.cwiseProduct(step.vessel_stddev).norm();
   VehicleFix doubted = fix;

@@ -81,6 +81,37 @@ TEST(VehicleFilter, LearnsAForceThroughTheTether)
   EXPECT_LT(filter.pull().norm(), 30.0);
 }
 
+TEST(VehicleFilter, ADoubtfulStartIsForgottenAndKeptInMindAsLong)
+{
+  // The force of the start is wrong by 200 N, and the doubt about it is told or not.
+  double error[2], early[2], late[2];
+  for (const int told : {0, 1})
+  {
+    World world;
+    VehicleFilter filter;
+    filter.start(DisturbanceModel(), 0.01 * Matrix3::Identity(), 0.02, Vector3(0.0, 200.0, 0.0),
+                 told * 200.0 * 200.0 * Matrix3::Identity(), Vector3(-100, 0, 0), springs());
+    for (int k = 1; k <= 400 * 10; ++k)
+    {
+      // What the tether still does of itself fades.
+      world.move(0.1, Vector3(0.0, 200.0 * std::exp(-0.1 * k / 20.0), 0.0), filter.force());
+      filter.predict(0.1, Vector3(-100, 0, 0), 1.0);
+      if (k % 10 == 0)
+        filter.correctPosition(world.truth - world.nominal, Vector3::Constant(0.3));
+      if (k == 200)
+      {
+        error[told] = filter.disturbance().y() - 200.0 * std::exp(-1.0);
+        early[told] = filter.forceStddev().y();
+      }
+    }
+    late[told] = filter.forceStddev().y();
+  }
+  EXPECT_LT(std::abs(error[1]), 2.0 * early[1]);
+  EXPECT_LT(std::abs(error[1]), 0.7 * std::abs(error[0]));
+  EXPECT_GT(early[1], 1.5 * early[0]);
+  EXPECT_NEAR(late[1], late[0], 0.1 * late[0]);
+}
+
 TEST(VehicleFilter, CoversWhatItDoesNotKnow)
 {
   // Its own model, its own disturbances: squared errors over variances must be one.

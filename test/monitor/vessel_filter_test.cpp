@@ -148,6 +148,43 @@ TEST(VesselFilter, KnowsWhenItIsReadyAndHowOldItIs)
   EXPECT_EQ(filter.findWay(25.0).velocity.z(), 0.0);
 }
 
+TEST(VesselFilter, TheWavesRiseFromTheWayWithoutAnExcursion)
+{
+  Passage passage(9.0);
+  VesselFilter filter;
+  core::EndPoint begun;
+  double t = 0.0, most = 0.0, last = 0.0, doubt = 0.0, jump = 0.0;
+  Vector3 velocity = Vector3::Zero();
+  for (int i = 0; t < 60.0; ++i, t = 0.05 * i)
+  {
+    const core::EndPoint truth = passage.at(t);
+    if (i % 4 == 0)
+      filter.addPosition(t,
+                         truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+                         Vector3::Constant(0.02));
+    if (t < 12.0)
+      continue;
+    if (begun.position.isZero())
+    {
+      begun = filter.findWay(t);
+      filter.followFrom(t, begun);
+      velocity = begun.velocity;
+      EXPECT_LT((begun.velocity - Vector3(3.0, 0.0, 0.0)).norm(), 0.1);
+    }
+    const VesselFilter::Motion m = filter.follow(t);
+    const double error = (m.end.position - truth.position).norm();
+    jump = std::max(jump, (m.end.velocity - velocity).norm() / 0.05);
+    velocity = m.end.velocity;
+    most = std::max(most, error);
+    doubt = t < 16.0 ? std::max(doubt, m.position_stddev.z()) : doubt;
+    last = t > 40.0 ? std::max(last, error) : last;
+  }
+  EXPECT_LT(most, 1.3) << "never farther off than the waves are high";
+  EXPECT_GT(doubt, 0.5) << "what is left out of the waves is known to be missing";
+  EXPECT_LT(last, 0.15);
+  EXPECT_LT(jump, 2.0 * passage.w * passage.w);
+}
+
 TEST(Scatter, IsTheNoiseAndNotTheMotion)
 {
   std::mt19937 generator(5);

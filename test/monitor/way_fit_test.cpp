@@ -1,0 +1,80 @@
+#include "tether_monitor/monitor/way_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+std::vector<WaySample> measure(double duration, double interval, double noise,
+                               const std::function<double(double)>& motion)
+{
+  std::mt19937 generator(4);
+  std::normal_distribution<double> normal;
+  std::vector<WaySample> samples;
+  for (double t = 100.0; t < 100.0 + duration + 1e-9; t += interval)
+    samples.push_back({t, motion(t) + noise * normal(generator)});
+  return samples;
+}
+
+Way fit(const std::vector<WaySample>& samples, bool level = false)
+{
+  return fitWay(samples.data(), samples.size(), samples.back().t, level);
+}
+}  // namespace
+
+TEST(WayFit, TakesNoWaveForASpeed)
+{
+  // A little more than a period: a line alone is up to 0.15 m/s off.
+  for (const double phase : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+  {
+    const auto motion = [&](double t) { return 1000.0 + 3.0 * t + 0.9 * std::sin(0.66 * t + phase); };
+    const Way way = fit(measure(10.0, 0.2, 0.02, motion));
+    EXPECT_NEAR(way.velocity, 3.0, 0.03) << phase;
+    EXPECT_NEAR(way.position, 1330.0, 0.15) << phase;
+    EXPECT_NEAR(way.wave_rate, 0.66, 0.1) << phase;
+    EXPECT_NEAR(way.wave_height, 0.9 / std::sqrt(2.0), 0.15) << phase;
+    EXPECT_LT(std::abs(way.velocity - 3.0), 2.0 * way.velocity_stddev) << phase;
+  }
+}
+
+TEST(WayFit, DoubtsASpeedUnderWavesAndNoneInFlatWater)
+{
+  const auto sea = [](double t) { return 2.0 * t + std::sin(0.8 * t) + 0.7 * std::sin(0.55 * t + 1.0); };
+  const Way way = fit(measure(20.0, 0.2, 0.02, sea));
+  EXPECT_NEAR(way.velocity, 2.0, 3.0 * way.velocity_stddev);
+  EXPECT_GT(way.velocity_stddev, 0.02);
+  EXPECT_LT(way.velocity_stddev, 0.1);
+  const Way flat = fit(measure(20.0, 0.2, 0.02, [](double t) { return 2.0 * t; }));
+  EXPECT_NEAR(flat.velocity, 2.0, 0.005);
+  EXPECT_LT(flat.velocity_stddev, 0.002);
+}
+
+TEST(WayFit, AVesselDoesNotClimb)
+{
+  const Way way = fit(measure(13.0, 0.05, 0.03, [](double t) { return -2.0 + 0.5 * std::sin(0.9 * t); }), true);
+  EXPECT_EQ(way.velocity, 0.0);
+  EXPECT_EQ(way.velocity_stddev, 0.0);
+  EXPECT_NEAR(way.position, -2.0, 0.03);
+}
+
+TEST(WayFit, MakesTheBestOfFewSamples)
+{
+  const WaySample one{3.0, 7.0};
+  const Way still = fitWay(&one, 1, 3.0, false);
+  EXPECT_NEAR(still.position, 7.0, 1e-9);
+  EXPECT_EQ(still.velocity, 0.0);
+  const WaySample two[] = {{3.0, 7.0}, {4.0, 9.0}};
+  const Way line = fitWay(two, 2, 5.0, false);
+  EXPECT_NEAR(line.position, 11.0, 1e-6);
+  EXPECT_NEAR(line.velocity, 2.0, 1e-6);
+  EXPECT_EQ(line.wave_rate, 0.0);
+  const WaySample same[] = {{3.0, 7.0}, {3.0, 7.2}};
+  EXPECT_NEAR(fitWay(same, 2, 3.0, false).position, 7.1, 1e-6);
+}
+}  // namespace tether_monitor::monitor
