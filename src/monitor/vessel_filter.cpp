@@ -21,7 +21,6 @@ constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to beg
 constexpr double FADING = 0.3;                     // rate at which a correction fades [1/s]
 constexpr double RESTLESS = 3.0;                   // squared innovations over what they should be that mean so
 constexpr double FASTEST_FADING = 10.0;            // factor on it then
-constexpr double CHANCE = 4.0;                     // corrections over their deviation that are nothing unusual
 constexpr double WAVES_RISE = 14.0;                // [s] in which waves come on top of the way at the start
 constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
 constexpr double FASTEST_ERROR = 1.0;              // rate of the errors that fading leaves [1/s]
@@ -244,14 +243,6 @@ VesselFilter::Motion VesselFilter::follow(double t)
   shown_at_ = t;
   motion.end.position += offset_.position;
   motion.end.velocity += offset_.velocity;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double swing = std::hypot(offset_.position[i], offset_.velocity[i] / filters_[i].waveRate());
-    const double chance = CHANCE * motion.position_stddev[i];
-    if (swing > chance)
-      motion.position_stddev[i] =
-          std::sqrt(swing * swing - chance * chance + std::pow(motion.position_stddev[i], 2));
-  }
   riseFromTheWay(t, motion);
   return motion;
 }

@@ -13,6 +13,7 @@ constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // waves [rad/s]
 constexpr int GRID = 24;
 constexpr double LEAST_PERIODS = 0.9;  // of a wave that the samples can tell from a line
 constexpr double SMALL = 1e-4;         // squared noise over squared wave height [-]
+constexpr double DOUBT = 0.15;         // about the way, over the velocity in the waves [-]
 constexpr double LEAST_NUMBER = 12;    // samples for a wave
 using Terms = Eigen::Vector4d;         // line, then cosine and sine
 using Normal = Eigen::Matrix4d;
@@ -69,7 +70,9 @@ Way fitWay(const WaySample* samples, std::size_t count, double t, bool level)
   way.wave_rate = best.rate;
   way.wave_height = std::sqrt(0.5) * best.terms.tail<2>().norm();
   const double rest = std::sqrt(best.left / static_cast<double>(count));
-  way.velocity_stddev = span > 0.0 && !level ? 0.7 * std::hypot(way.wave_height, rest) / span : 0.0;
+  const double swing = std::hypot(way.wave_height, rest);
+  const double rate = way.wave_rate > 0.0 ? way.wave_rate : SLOWEST;
+  way.velocity_stddev = level ? 0.0 : DOUBT * rate * swing;
   return way;
 }
 
