@@ -84,12 +84,7 @@ EndPoint vesselAt(const Case& c, double t)
 
 monitor::BodyState bodyOf(const core::CableState& state)
 {
-  monitor::BodyState body;
-  body.position = state.q.back().head<3>();
-  body.velocity = state.v.back().head<3>();
-  body.orientation = state.vehicle.orientation;
-  body.angular_velocity = state.vehicle.orientation * state.vehicle.velocity;
-  return body;
+  return monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero());
 }
 }  // namespace
 

@@ -78,13 +78,9 @@ void describeContact(const core::CableModel& model, const core::CableState& stat
 void describeVehicle(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
                      TetherEstimate& e)
 {
-  const core::Rotation& rotation = state.vehicle;
-  const core::Vector3 lever = rotation.orientation * model.bodies().vehicle->attachment;
   e.has_vehicle = true;
-  e.vehicle.orientation = rotation.orientation;
-  e.vehicle.angular_velocity = rotation.orientation * rotation.velocity;
-  e.vehicle.position = state.q.back().head<3>() + origin - lever;
-  e.vehicle.velocity = state.v.back().head<3>() - e.vehicle.angular_velocity.cross(lever);
+  e.vehicle = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, model.bodies().vehicle->attachment);
+  e.vehicle.position += origin;
 }
 
 Reason modelRange(const core::CableModel& model, const TetherEstimate& e)

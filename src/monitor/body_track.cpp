@@ -39,6 +39,18 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const core::Vector3& r
 }
 }  // namespace
 
+BodyState BodyState::ofNode(const core::CableState& state, std::size_t node, const core::Rotation& rotation,
+                            const core::Vector3& attachment)
+{
+  BodyState body;
+  const core::Vector3 lever = rotation.orientation * attachment;
+  body.orientation = rotation.orientation;
+  body.angular_velocity = rotation.orientation * rotation.velocity;
+  body.position = state.q[node].head<3>() - lever;
+  body.velocity = state.v[node].head<3>() - body.angular_velocity.cross(lever);
+  return body;
+}
+
 core::EndPoint BodyState::attachmentPoint(const core::Vector3& lever) const
 {
   const core::Vector3 arm = orientation * lever;

@@ -10,7 +10,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 2";
+const char* const FORMAT = "tether_monitor state 3";
 
 // What stands before the members of an estimator.
 struct Header

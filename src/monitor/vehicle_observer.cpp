@@ -220,9 +220,8 @@ void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& 
 
 core::EndPoint VehicleObserver::centre(const core::CableState& state) const
 {
-  const core::Vector3 arm = state.vehicle.orientation * body_.attachment;
-  const core::Vector3 spin = state.vehicle.orientation * state.vehicle.velocity;
-  return {state.q.back().head<3>() - arm, state.v.back().head<3>() - spin.cross(arm)};
+  const BodyState body = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, body_.attachment);
+  return {body.position, body.velocity};
 }
 
 void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, const Step& step,

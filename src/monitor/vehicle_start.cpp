@@ -19,22 +19,23 @@ constexpr double LONGEST_REACH = 0.9995;  // chord over length at which a vehicl
 constexpr int PASSES = 8;
 constexpr double GOOD = 1e-3;  // relative gain of a pass that is not worth another
 
-// What keeps the vehicle in balance at a place, from other than the sea and the tether.
-core::SolveReport findHoldingForce(core::Statics& statics, const core::CableModel& model,
-                                   const core::SteadyEnds& at, core::NodeField& shape, core::Vector3& force)
+core::CableModel withoutVehicle(const core::CableModel& model)
 {
   core::CableModel held = model;
   held.setBodies({});
-  const core::SolveReport report = core::findSteadyState(statics, held, at, shape);
-  if (!report.converged())
-    return report;
-  core::CableState state(0.0, shape, at.velocity);
+  return held;
+}
+
+// What keeps the vehicle in balance where a tether ends, from other than the sea and the tether.
+core::Vector3 holdingForce(const core::CableModel& model, const core::CableModel& held,
+                           const core::NodeField& shape, const core::Vector3& velocity)
+{
+  core::CableState state(0.0, shape, velocity);
   core::beginContact(held, state);
   core::Sea calm = model.sea();
   calm.calm();
-  force = -core::steadyForce(*model.bodies().vehicle, calm, at.vehicle, at.velocity) -
-          core::endForces(held, state).vehicle;
-  return report;
+  return -core::steadyForce(*model.bodies().vehicle, calm, shape.back().head<3>(), velocity) -
+         core::endForces(held, state).vehicle;
 }
 
 class Search
@@ -84,11 +85,11 @@ class Search
     const core::Vector3 away = ends_.vehicle - ends_.vessel;
     at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length() / away.norm()) * away;
     core::NodeField shape;
-    core::Vector3 force;
-    const core::SolveReport report = findHoldingForce(statics_, model_, at, shape, force);
+    const core::CableModel held = withoutVehicle(model_);
+    const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
     if (!report.converged())
       return;
-    force -= thrust_;
+    const core::Vector3 force = holdingForce(model_, held, shape, at.velocity) - thrust_;
     take(force, shape, report);
   }
 
@@ -163,19 +164,19 @@ core::Matrix3 forceOfWay(core::Statics& statics, const core::CableModel& model, 
                          const core::Vector3& velocity_stddev, const VehicleStart& start)
 {
   core::Matrix3 covariance = core::Matrix3::Zero();
+  const core::CableModel held = withoutVehicle(model);
+  const core::Vector3 usual = holdingForce(model, held, start.shape, ends.velocity);
   core::SteadyEnds at = ends;
   at.vehicle = start.shape.back().head<3>();
-  core::NodeField shape;
-  core::Vector3 usual;
-  if (!findHoldingForce(statics, model, at, shape, usual).converged())
-    return covariance;
   for (int i = 0; i < 3; ++i)
   {
     at.velocity = ends.velocity;
     at.velocity[i] += velocity_stddev[i];
-    core::Vector3 force;
-    if (velocity_stddev[i] > 0.0 && findHoldingForce(statics, model, at, shape, force).converged())
-      covariance += (force - usual) * (force - usual).transpose();
+    core::NodeField shape = start.shape;
+    if (!(velocity_stddev[i] > 0.0) || !statics.solveFrom(held, at, shape).converged())
+      continue;
+    const core::Vector3 force = holdingForce(model, held, shape, at.velocity) - usual;
+    covariance += force * force.transpose();
   }
   return covariance;
 }

@@ -222,7 +222,10 @@ VesselFilter::Motion VesselFilter::follow(double t)
 {
   Motion motion = at(t);
   if (!(following_since_ > -std::numeric_limits<double>::infinity()))
+  {
     followFrom(t, motion.end);
+    following_since_ -= WAVES_RISE;  // from the midst of the motion
+  }
   const double dt = t - shown_at_;
   if (dt > 0.0)
   {
@@ -293,8 +296,11 @@ core::EndPoint VesselFilter::findWay(double t)
     end.position[i] = found.position;
     end.velocity[i] = found.velocity;
     way_stddev_[i] = found.velocity_stddev;
-    if (found.wave_rate > 0.0)
-      filters_[i].expectWaves(found.wave_rate, found.wave_height);
+    if (!(found.wave_rate > 0.0))
+      continue;
+    filters_[i].expectWaves(found.wave_rate, found.wave_height);
+    for (Checkpoint& checkpoint : checkpoints_)
+      checkpoint.filters[i].expectWaves(found.wave_rate, found.wave_height);
   }
   return end;
 }

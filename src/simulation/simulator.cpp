@@ -20,18 +20,6 @@ core::CableModel checkedModel(const monitor::Config& config, const SimulationCon
   core::throwIfAny("scenario", faults);
   return core::CableModel(config.tether, config.elements, config.environment, config.fittings);
 }
-
-monitor::BodyState bodyState(const core::CableState& state, std::size_t node, const core::Rotation& rotation,
-                             const core::Vector3& attachment)
-{
-  monitor::BodyState body;
-  const core::Vector3 lever = rotation.orientation * attachment;
-  body.orientation = rotation.orientation;
-  body.angular_velocity = rotation.orientation * rotation.velocity;
-  body.position = state.q[node].head<3>() - lever;
-  body.velocity = state.v[node].head<3>() - body.angular_velocity.cross(lever);
-  return body;
-}
 }  // namespace
 
 Simulator::Simulator(const monitor::Config& config, const SimulationConfig& simulation)
@@ -91,12 +79,12 @@ void Simulator::start()
 
 monitor::BodyState Simulator::vessel() const
 {
-  return bodyState(state_, 0, state_.vessel, config_.vessel.attachment);
+  return monitor::BodyState::ofNode(state_, 0, state_.vessel, config_.vessel.attachment);
 }
 
 monitor::BodyState Simulator::vehicle() const
 {
-  return bodyState(state_, state_.q.size() - 1, state_.vehicle, config_.vehicle.attachment);
+  return monitor::BodyState::ofNode(state_, state_.q.size() - 1, state_.vehicle, config_.vehicle.attachment);
 }
 
 core::PayoutPath Simulator::orderedPayout(double dt)

@@ -55,6 +55,15 @@ TEST(WayFit, DoubtsASpeedUnderWavesAndNoneInFlatWater)
   EXPECT_LT(flat.velocity_stddev, 0.002);
 }
 
+TEST(WayFit, LeavesOutWhatIsFarOff)
+{
+  std::vector<WaySample> samples =
+      measure(10.0, 0.2, 0.02, [](double t) { return 3.0 * t + 0.9 * std::sin(0.66 * t); });
+  samples[3].value += 40.0;
+  samples[40].value -= 25.0;
+  EXPECT_NEAR(fit(samples).velocity, 3.0, 0.05);
+}
+
 TEST(WayFit, AVesselDoesNotClimb)
 {
   const Way way = fit(measure(13.0, 0.05, 0.03, [](double t) { return -2.0 + 0.5 * std::sin(0.9 * t); }), true);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "tether_monitor/core/cable_state.h"
 #include "tether_monitor/core/end_path.h"
 
 namespace tether_monitor::monitor
@@ -18,6 +19,10 @@ struct BodyState
 
   /// Position and velocity of a point fixed in the body, `lever` from the reference point in body axes [m].
   core::EndPoint attachmentPoint(const core::Vector3& lever) const;
+  /// The reference point of a simulated body that is fixed to a node at `attachment` in body axes [m]; coordinates
+  /// of the state.
+  static BodyState ofNode(const core::CableState& state, std::size_t node, const core::Rotation& rotation,
+                          const core::Vector3& attachment);
 
   template <class Archive>
   void archive(Archive& a)

@@ -26,7 +26,7 @@ struct Way
  * doc/estimation.md.
  *
  * A line alone takes part of a wave for a speed as long as the samples span a period or two; the frequency is the
- * one of a grid that leaves the least.
+ * one of a grid that leaves the least. Samples far off are left out.
  *
  * @param samples  in order of time, `count` > 0 of them.
  * @param t        when the way is wanted [s], near the last sample.
