@@ -87,6 +87,32 @@ TEST(Navigation, TheTensionIsKnownAndSoIsItsBand)
   EXPECT_NEAR(two / runs, 0.95, 0.1);
 }
 
+// Satellite positions of the vessel from two decimetres to two metres: what is lost is known to be lost.
+TEST(Navigation, TheBandKnowsHowWellTheVesselIsSeen)
+{
+  double last = 0.0;
+  for (const auto& [stddev, bound] :
+       {std::make_pair(0.2, 0.08), std::make_pair(0.7, 0.16), std::make_pair(2.0, 0.35)})
+  {
+    double two = 0.0, band = 0.0;
+    for (const char* name : {"C", "D", "G"})
+    {
+      const Truth truth = makeTruth(caseNamed(name), 0.0, core::Vector3::Zero());
+      Sensors sensors;
+      sensors.satellite_stddev = stddev;
+      const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors), sensors);
+      const Score s = score(truth, trail);
+      EXPECT_LT(s.rms, bound) << name << stddev;
+      EXPECT_GT(s.valid, 0.95) << name << stddev;
+      two += s.within_2 / 3.0;
+      band += s.mean_stddev / 3.0;
+    }
+    EXPECT_GT(two, 0.85) << stddev;
+    EXPECT_GT(band, 1.5 * last) << stddev;
+    last = band;
+  }
+}
+
 TEST(Navigation, TheHeldEndIsWorthlessOnTheSameData)
 {
   const Truth truth = makeTruth(caseNamed("C"), 0.0, core::Vector3::Zero());
