@@ -82,7 +82,8 @@ bool VehicleObserver::isSound(const core::CableModel& model, const VehicleObserv
     const Step& step = steps_[i];
     const bool is_finite = std::isfinite(step.from) && step.to > step.from && std::isfinite(step.to) &&
                            step.paths.vessel.position(step.to).allFinite() &&
-                           step.paths.vehicle_thrust.force.allFinite() && step.attitude.coeffs().allFinite();
+                           step.paths.vehicle_thrust.force.allFinite() && step.attitude.coeffs().allFinite() &&
+                           step.vessel_stddev.allFinite();
     if (!is_finite || (i > 0 && step.from < steps_[i - 1].from))
       return false;
   }

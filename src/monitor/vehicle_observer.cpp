@@ -245,7 +245,10 @@ void VehicleObserver::look(const VehicleFix& fix, const core::EndPath& nominal, 
   const double shaken = chord.cwiseProduct(step.vessel_stddev).norm();
   VehicleFix doubted = fix;
   if (is_position)
-    doubted.stddev = (fix.stddev.cwiseAbs2() + shaken * shaken * chord.cwiseAbs2()).cwiseSqrt();
+  {
+    const core::Vector3 squares = chord.cwiseAbs2();  // so that it is all there along the chord
+    doubted.stddev = (fix.stddev.cwiseAbs2() + shaken * shaken / squares.squaredNorm() * squares).cwiseSqrt();
+  }
   live_.judge.judge(doubted, value - expected, live_.filter);
 }
 

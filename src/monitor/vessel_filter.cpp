@@ -17,7 +17,7 @@ constexpr int CONVINCED = 4;                       // so many outliers in a row 
 constexpr double FASTEST_VESSEL = 20.0;            // [m/s]
 constexpr double SPEED_DOUBT = 5.0;                // standard deviation of a velocity that nobody knows [m/s]
 constexpr double READY_SPEED = 0.3;                // standard deviation of the velocity to begin with [m/s]
-constexpr double FIRST_LOOK = 10.0;                // [s] of measurements to begin with
+constexpr double FIRST_LOOK = 9.5;                 // [s] of recent positions to begin with
 constexpr double FADING = 0.3;                     // rate at which a correction fades [1/s]
 constexpr double RESTLESS = 3.0;                   // squared innovations over what they should be that mean so
 constexpr double FASTEST_FADING = 10.0;            // factor on it then
@@ -42,7 +42,6 @@ void VesselFilter::clear()
   log_.clear();
   checkpoints_.clear();
   last_measured_.fill(-std::numeric_limits<double>::infinity());
-  first_ = std::numeric_limits<double>::infinity();
   surprises_ = {};
   way_stddev_.setZero();
   following_since_ = -std::numeric_limits<double>::infinity();
@@ -51,7 +50,6 @@ void VesselFilter::clear()
 void VesselFilter::start(double t, const core::EndPoint& end, double position_stddev, double velocity_stddev)
 {
   clear();
-  first_ = t;
   for (int i = 0; i < 3; ++i)
   {
     filters_[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
@@ -100,7 +98,6 @@ Rejection VesselFilter::add(const Entry& told)
       if (!entry.is_velocity)
         last_measured_[i] = std::max(last_measured_[i], entry.t);
     }
-  first_ = std::min(first_, entry.t);
   if (log_.size() == CAPACITY)
   {
     log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
@@ -192,10 +189,33 @@ bool VesselFilter::hasPosition() const
   return std::all_of(filters_.begin(), filters_.end(), [](const AxisFilter& f) { return f.isStarted(); });
 }
 
+bool VesselFilter::isPositionOf(const Entry& e, int axis, double t)
+{
+  return !e.is_velocity && std::isfinite(e.stddev[axis]) && e.t > t - WAY;
+}
+
+VesselFilter::Recent VesselFilter::samplesOf(int axis, double t) const
+{
+  Recent recent;
+  for (const Entry& e : log_)
+    if (isPositionOf(e, axis, t))
+    {
+      recent.since = recent.count++ == 0 ? e.t : recent.since;
+      recent.until = e.t;
+    }
+  return recent;
+}
+
 bool VesselFilter::isReady(double t) const
 {
-  if (!hasPosition() || t - first_ < FIRST_LOOK)
+  if (!hasPosition())
     return false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Recent recent = samplesOf(i, t);
+    if (recent.count < 2 || recent.until - recent.since < FIRST_LOOK)
+      return false;
+  }
   return std::all_of(filters_.begin(), filters_.end(),
                      [](const AxisFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
 }
@@ -253,7 +273,7 @@ VesselFilter::Motion VesselFilter::follow(double t)
 // What is not shown yet of the waves is known to be missing.
 void VesselFilter::riseFromTheWay(double t, Motion& motion) const
 {
-  const double x = (t - following_since_) / WAVES_RISE;
+  const double x = std::max(0.0, (t - following_since_) / WAVES_RISE);
   if (x >= 1.0)
     return;
   const double share = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
@@ -283,16 +303,21 @@ VesselFilter::Motion VesselFilter::motionOf(const Filters& filters, double t)
 core::EndPoint VesselFilter::findWay(double t)
 {
   core::EndPoint end = at(t).end;
-  std::array<WaySample, CAPACITY> samples;
-  for (int i = 0; i < 3; ++i)
+  way_stddev_.setConstant(SPEED_DOUBT);
+  std::array<WaySample, MOST_WAY_SAMPLES> samples;
+  WaveOdds odds = anyWave();
+  for (const int i : {2, 0, 1})
   {
-    std::size_t count = 0;
+    const std::size_t stride = samplesOf(i, t).count / samples.size() + 1;
+    std::size_t seen = 0, count = 0;
     for (const Entry& e : log_)
-      if (!e.is_velocity && std::isfinite(e.stddev[i]) && e.t > t - WAY)
-        samples[count++] = {e.t, e.value[i]};
-    if (count < 2)
+      if (isPositionOf(e, i, t) && seen++ % stride == 0 && count < samples.size())
+        samples[count++] = {e.t, e.value[i], e.stddev[i]};
+    if (count == 0)
       continue;
-    const Way found = fitWay(samples.data(), count, t, i == 2);  // no vessel rises for long
+    const Way found = fitWay(samples.data(), count, t, i == 2, odds);  // no vessel rises for long
+    if (i == 2)
+      odds = found.odds;
     end.position[i] = found.position;
     end.velocity[i] = found.velocity;
     way_stddev_[i] = found.velocity_stddev;
@@ -319,7 +344,8 @@ bool VesselFilter::isSound() const
   bool sound = log_.size() <= CAPACITY && checkpoints_.size() <= CHECKPOINTS && areSound(filters_) &&
                areSound(shown_) && areSound(scatter_) && areSound(velocity_scatter_) && std::isfinite(shown_at_) &&
                offset_.position.allFinite() && offset_.velocity.allFinite() && begun_.position.allFinite() &&
-               begun_.velocity.allFinite() && way_stddev_.allFinite();
+               begun_.velocity.allFinite() && way_stddev_.allFinite() &&
+               following_since_ < std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < checkpoints_.size(); ++i)

@@ -2,119 +2,144 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace tether_monitor::monitor
 {
 namespace
 {
 constexpr double SLOWEST = 0.25, FASTEST = 2.0;  // waves [rad/s]
-constexpr int GRID = 24;
-constexpr double LEAST_PERIODS = 0.9;  // of a wave that the samples can tell from a line
-constexpr double SMALL = 1e-4;         // squared noise over squared wave height [-]
-constexpr double DOUBT = 0.15;         // about the way, over the velocity in the waves [-]
-constexpr double OUTLIER = 4.0;        // over the standard deviation of what is left [-]
-constexpr double LEAST_NUMBER = 12;    // samples for a wave
-using Terms = Eigen::Vector4d;         // line, then cosine and sine
+constexpr int GRID = std::tuple_size<WaveOdds>::value - 1;
+constexpr double USUAL = 1.0;         // amplitude of a wave, standard deviation [m]
+constexpr double ROUGH = 0.05;        // what a sine leaves of a wave [m], ...
+constexpr double INDEPENDENT = 2.0;   // ... as often as this anew [Hz]
+constexpr double LEAST_NOISE = 1e-3;  // [m]
+constexpr double FASTEST_WAY = 20.0;  // velocity of a vessel [m/s]
+constexpr double FARTHEST = 1e3;      // from the last sample [m]
+constexpr double OUTLIER = 4.0;       // over the standard deviation of what is left [-]
+constexpr double DOUBT = 0.15;        // about the way, over the velocity in the waves [-]
+constexpr double OTHERS = 0.05;       // chance of waves in one coordinate that are not in another [-]
+constexpr int PASSES = 3;
+
+using Terms = Eigen::Vector4d;  // line, then cosine and sine
 using Normal = Eigen::Matrix4d;
 
 struct Fit
 {
   Terms terms = Terms::Zero();
-  double rate = 0.0;
-  double count = 0.0;
-  double left = std::numeric_limits<double>::infinity();  // mean square
+  double rate = 0.0;  // 0: the line alone
+  double place_variance = 0.0, velocity_variance = 0.0;
+  double log_evidence = 0.0;
 };
 
-Terms row(double dt, bool level, double rate)
+// Samples, less the last one's value, and which of them count.
+struct Samples
 {
-  return {1.0, level ? 0.0 : dt, rate > 0.0 ? std::cos(rate * dt) : 0.0, rate > 0.0 ? std::sin(rate * dt) : 0.0};
+  const WaySample* first;
+  std::size_t count;
+  double t;
+  bool level;
+  double rough = 0.0;  // variance [m^2]
+  std::array<bool, MOST_WAY_SAMPLES> keep;
+
+  double value(std::size_t i) const { return first[i].value - first[count - 1].value; }
+  Terms row(std::size_t i, double rate) const
+  {
+    const double dt = first[i].t - t;
+    return {1.0, level ? 0.0 : dt, rate > 0.0 ? std::cos(rate * dt) : 0.0, rate > 0.0 ? std::sin(rate * dt) : 0.0};
+  }
+  double variance(std::size_t i) const { return std::pow(std::max(first[i].stddev, LEAST_NOISE), 2) + rough; }
+};
+
+// Bayes' linear regression with given noise and priors; two terms without samples are their prior.
+Fit fitOne(const Samples& samples, double rate)
+{
+  const Terms prior = Terms(FARTHEST, samples.level ? 1e-9 : FASTEST_WAY, USUAL, USUAL).cwiseAbs2().cwiseInverse();
+  Normal N = prior.asDiagonal();
+  Terms b = Terms::Zero();
+  for (std::size_t i = 0; i < samples.count; ++i)
+    if (samples.keep[i])
+    {
+      const Terms row = samples.row(i, rate);
+      const double weight = 1.0 / samples.variance(i);
+      N += weight * row * row.transpose();
+      b += weight * samples.value(i) * row;
+    }
+  const Eigen::LDLT<Normal> ldlt(N);
+  const Normal covariance = ldlt.solve(Normal::Identity());
+  Fit fit;
+  fit.rate = rate;
+  fit.terms = covariance * b;
+  fit.place_variance = covariance(0, 0);
+  fit.velocity_variance = samples.level ? 0.0 : covariance(1, 1);
+  fit.log_evidence = 0.5 * (b.dot(fit.terms) - ldlt.vectorD().array().log().sum() + prior.array().log().sum());
+  return fit;
 }
-
-// What a fit is made of.
-class Samples
-{
- public:
-  Samples(const WaySample* samples, std::size_t count, double t, bool level)
-    : samples_(samples), count_(count), t_(t), datum_(samples[count - 1].value), level_(level)
-  {
-  }
-
-  // From now on, only what is no farther than `limit` from a fit.
-  void keepNear(const Fit& fit, double limit)
-  {
-    near_ = fit;
-    limit_ = limit;
-  }
-
-  // rate 0: the line alone.
-  Fit fit(double rate) const
-  {
-    Normal N = Normal::Zero();
-    Terms b = Terms::Zero();
-    double total = 0.0;
-    Fit found;
-    for (std::size_t i = 0; i < count_; ++i)
-    {
-      const double dt = samples_[i].t - t_, y = samples_[i].value - datum_;
-      if (limit_ > 0.0 && std::abs(y - near_.terms.dot(row(dt, level_, near_.rate))) > limit_)
-        continue;
-      const Terms terms = row(dt, level_, rate);
-      N += terms * terms.transpose();
-      b += y * terms;
-      total += y * y;
-      found.count += 1.0;
-    }
-    N.diagonal() += found.count * Terms(1e-12, level_ ? 1.0 : 1e-12, SMALL, SMALL);
-    found.terms = N.ldlt().solve(b);
-    found.rate = rate;
-    found.left = std::max(total - b.dot(found.terms), 0.0) / found.count;
-    return found;
-  }
-
-  Fit best(double slowest) const
-  {
-    Fit best = fit(0.0);
-    for (int k = 0; k < GRID && best.count >= LEAST_NUMBER && slowest < FASTEST; ++k)
-    {
-      const Fit other = fit(slowest * std::pow(FASTEST / slowest, k / (GRID - 1.0)));
-      if (other.left < best.left)
-        best = other;
-    }
-    return best;
-  }
-
-  double datum() const { return datum_; }
-
- private:
-  const WaySample* samples_;
-  std::size_t count_;
-  double t_, datum_;
-  bool level_;
-  Fit near_;
-  double limit_ = 0.0;
-};
 }  // namespace
 
-Way fitWay(const WaySample* samples, std::size_t count, double t, bool level)
+WaveOdds anyWave()
 {
-  const double span = samples[count - 1].t - samples[0].t;
-  const double slowest = std::max(SLOWEST, LEAST_PERIODS * 2.0 * M_PI / std::max(span, 1e-3));
-  Samples kept(samples, count, t, level || !(span > 0.0));
-  Fit best = kept.best(slowest);
-  for (int pass = 0; pass < 2 && best.count >= LEAST_NUMBER; ++pass)
+  WaveOdds odds;
+  odds.fill(0.5 / GRID);
+  odds[0] = 0.5;
+  return odds;
+}
+
+Way fitWay(const WaySample* first, std::size_t count, double t, bool level, const WaveOdds& odds)
+{
+  const WaveOdds usual = anyWave();
+  Samples samples{first, std::min(count, MOST_WAY_SAMPLES), t, level, 0.0, {}};
+  samples.keep.fill(true);
+  const double span = first[samples.count - 1].t - first[0].t;
+  samples.rough = ROUGH * ROUGH * std::max(1.0, static_cast<double>(samples.count) / (1.0 + INDEPENDENT * span));
+  std::array<Fit, GRID + 1> fits;
+  std::size_t best = 0;
+  for (int pass = 0; pass < PASSES; ++pass)
   {
-    kept.keepNear(best, OUTLIER * std::sqrt(best.left));
-    best = kept.best(slowest);
+    best = 0;
+    for (std::size_t k = 0; k < fits.size(); ++k)
+    {
+      fits[k] = fitOne(samples, k == 0 ? 0.0 : SLOWEST * std::pow(FASTEST / SLOWEST, (k - 1.0) / (GRID - 1.0)));
+      fits[k].log_evidence += std::log(OTHERS * usual[k] + (1.0 - OTHERS) * odds[k]);
+      best = fits[k].log_evidence > fits[best].log_evidence ? k : best;
+    }
+    double square = 0.0, kept = 0.0;
+    const auto left = [&](std::size_t i)
+    { return samples.value(i) - fits[best].terms.dot(samples.row(i, fits[best].rate)); };
+    for (std::size_t i = 0; i < samples.count; ++i)
+      if (samples.keep[i])
+      {
+        square += left(i) * left(i) / samples.variance(i);
+        kept += 1.0;
+      }
+    const double limit = OUTLIER * OUTLIER * std::max(square / kept, 1.0);
+    for (std::size_t i = 0; i < samples.count; ++i)
+      samples.keep[i] = left(i) * left(i) <= limit * samples.variance(i);
   }
+  // What all of them say, each as far as it is likely.
   Way way;
-  way.position = best.terms[0] + kept.datum();
-  way.velocity = best.terms[1];
-  way.wave_rate = best.rate;
-  way.wave_height = std::sqrt(0.5) * best.terms.tail<2>().norm();
-  const double rate = way.wave_rate > 0.0 ? way.wave_rate : SLOWEST;
-  way.velocity_stddev = level ? 0.0 : DOUBT * rate * std::sqrt(way.wave_height * way.wave_height + best.left);
+  double total = 0.0, place_square = 0.0, velocity_square = 0.0;
+  for (const Fit& fit : fits)
+  {
+    const double weight = std::exp(fit.log_evidence - fits[best].log_evidence);
+    total += weight;
+    way.odds[&fit - fits.data()] = weight;
+    way.position += weight * fit.terms[0];
+    way.velocity += weight * fit.terms[1];
+    place_square += weight * (fit.place_variance + fit.terms[0] * fit.terms[0]);
+    velocity_square += weight * (fit.velocity_variance + fit.terms[1] * fit.terms[1]);
+  }
+  for (double& share : way.odds)
+    share /= total;
+  way.position /= total;
+  way.velocity /= total;
+  const double spread = std::max(velocity_square / total - way.velocity * way.velocity, 0.0);
+  way.position += first[samples.count - 1].value;
+  way.wave_rate = fits[best].rate;
+  way.wave_height = best > 0 ? std::sqrt(0.5) * fits[best].terms.tail<2>().norm() : 0.0;
+  const double swing = DOUBT * way.wave_rate * way.wave_height;
+  way.velocity_stddev = level ? 0.0 : std::sqrt(spread + swing * swing);
   return way;
 }
 

@@ -185,6 +185,36 @@ TEST(VesselFilter, TheWavesRiseFromTheWayWithoutAnExcursion)
   EXPECT_LT(jump, 2.0 * passage.w * passage.w);
 }
 
+TEST(VesselFilter, AfterAGapItLooksAtTheWavesAnew)
+{
+  for (const double gap : {15.0, 30.0, 90.0})
+  {
+    Passage passage(8.0);
+    VesselFilter filter;
+    double ready = 0.0;
+    for (int i = 0; ready == 0.0 && i < 1600; ++i)
+    {
+      const double t = i < 200 ? 0.2 * i : gap + 0.2 * i;
+      filter.addPosition(
+          t, passage.at(t).position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+          Vector3::Constant(0.02));
+      if (i >= 200 && filter.isReady(t))
+        ready = t;
+    }
+    ASSERT_GT(ready, 0.0) << gap;
+    if (gap > 20.0)
+    {
+      EXPECT_GT(ready, 40.0 + gap + 9.0) << gap;
+    }
+    EXPECT_LT(ready, 40.0 + gap + 25.0) << gap;
+    const core::EndPoint way = filter.findWay(ready);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_LT(std::abs(way.velocity[axis] - (axis == 0 ? 3.0 : 0.0)), 2.5 * filter.wayStddev()[axis] + 0.01)
+          << gap;
+    EXPECT_LT(filter.wayStddev().norm(), 0.2) << gap;
+  }
+}
+
 TEST(Scatter, IsTheNoiseAndNotTheMotion)
 {
   std::mt19937 generator(5);

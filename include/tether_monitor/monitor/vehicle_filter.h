@@ -92,7 +92,10 @@ class VehicleFilter
   /// Standard deviation of a tension [N], of the filter's own uncertainty.
   double tensionStddev(const TensionSlope& slope) const;
   /// False for what no measurements can have made: for states that come from outside.
-  bool isSound() const { return error_.allFinite() && covariance_.allFinite() && mass_inverse_.allFinite(); }
+  bool isSound() const
+  {
+    return error_.allFinite() && covariance_.allFinite() && mass_inverse_.allFinite() && start_doubt_.allFinite();
+  }
   const EndStiffness& stiffness() const { return stiffness_; }
 
   template <class Archive>

@@ -53,7 +53,8 @@ class VesselFilter
   double age(double t) const;
   /// At time t [s]; hasPosition() must hold.
   Motion at(double t) const;
-  /// The straight way of the last seconds, without the motion in the waves, which the filters learn at once.
+  /// The straight way of the last 20 s, without the motion in the waves, which the filters learn at once;
+  /// isReady() must hold.
   core::EndPoint findWay(double t);
   /// Standard deviation of the velocity that findWay() has found [m/s].
   const core::Vector3& wayStddev() const { return way_stddev_; }
@@ -74,8 +75,8 @@ class VesselFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, first_, outliers_, surprises_,
-      shown_, shown_at_, offset_, begun_, way_stddev_, following_since_);
+    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, outliers_, surprises_, shown_,
+      shown_at_, offset_, begun_, way_stddev_, following_since_);
   }
 
  private:
@@ -109,6 +110,14 @@ class VesselFilter
   Rejection add(const Entry& entry);
   void run(const Entry& entry);
   void remember(double t);
+  // Positions of an axis in the last seconds.
+  struct Recent
+  {
+    std::size_t count = 0;
+    double since = 0.0, until = 0.0;
+  };
+  static bool isPositionOf(const Entry& entry, int axis, double t);
+  Recent samplesOf(int axis, double t) const;
   static Motion motionOf(const Filters& filters, double t);
   void riseFromTheWay(double t, Motion& motion) const;
 
@@ -117,7 +126,6 @@ class VesselFilter
   std::vector<Entry> log_;               // in order of time
   std::vector<Checkpoint> checkpoints_;  // likewise: filters before the entries from t on
   std::array<double, 3> last_measured_;
-  double first_;
   long outliers_ = 0;
   std::array<int, 3> surprises_{};
   Filters shown_;                                     // at the last follow()
