@@ -48,26 +48,33 @@ monitor::PoseMeasurement measured(double t, const monitor::BodyState& body, doub
 struct Score
 {
   double rms = 0.0, ok = 0.0, within_1 = 0.0, within_2 = 0.0;
+  double invalid = 0.0;  // [s]
 };
 
-// As the node does it, but every message arrives in time. From `begin` [s] on there are measurements; what is
-// published from a hundred seconds later on counts.
-Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsigned seed, double begin)
+// Times [s]: from `begin` on there are measurements, between `lost_from` and `lost_to` none of the vessel.
+struct Plan
+{
+  double begin = 0.0, count_from = 0.0, lost_from = 0.0, lost_to = 0.0;
+};
+
+// As the node does it, but every message arrives in time.
+Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsigned seed, const Plan& when)
 {
   const SimulationConfig& plan = scenario.simulation;
   Sensor satellites(plan.vessel_sensor, seed), acoustics(plan.vehicle_sensor, seed + 1);
   HeaveSensor heave(plan.heave, seed + 2);
   monitor::TetherEstimator estimator(scenario.config);
-  double n = 0.0, mean = 0.0, square = 0.0, ok = 0.0, one = 0.0, two = 0.0;
+  double n = 0.0, invalid = 0.0, mean = 0.0, square = 0.0, ok = 0.0, one = 0.0, two = 0.0;
   for (const Moment& now : moments)
   {
     const auto positions = satellites.look(now.t, now.vessel), fixes = acoustics.look(now.t, now.vehicle);
     const auto height = heave.look(now.t, now.vessel);
-    if (now.t < begin)
+    if (now.t < when.begin)
       continue;
-    for (const Measurement& m : positions)
+    const bool is_lost = now.t > when.lost_from && now.t < when.lost_to;
+    for (const Measurement& m : is_lost ? std::vector<Measurement>() : positions)
       estimator.addVessel(measured(m.time, m.body, plan.vessel_sensor.position_stddev));
-    if (height)
+    if (height && !is_lost)
     {
       monitor::PoseMeasurement m = measured(now.t, now.vessel, 1e3);
       m.position = {0.0, 0.0, *height};
@@ -77,7 +84,10 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
     for (const Measurement& m : fixes)
       estimator.addVehicle(measured(m.time, m.body, std::nan("")));
     const monitor::TetherEstimate& e = estimator.tick(now.t);
-    if (now.t < begin + 100.0)
+    if (now.t < when.count_from)
+      continue;
+    invalid += e.status == monitor::Status::INVALID;
+    if (e.status == monitor::Status::INVALID)
       continue;
     const double error = std::abs(e.vessel_tension - now.tension);
     n += 1.0;
@@ -87,7 +97,7 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
     one += error <= e.vessel_tension_stddev;
     two += error <= 2.0 * e.vessel_tension_stddev;
   }
-  return {std::sqrt(square / n) / (mean / n), ok / n, one / n, two / n};
+  return {std::sqrt(square / n) / (mean / n), ok / (n + invalid), one / n, two / n, invalid * TICK};
 }
 }  // namespace
 
@@ -101,7 +111,7 @@ TEST(AcousticNavigation, KnowsTheTensionInASeaway)
   for (const double begin : {100.0, 150.0, 200.0})
     for (const unsigned seed : {11u, 12u, 13u, 14u})
     {
-      const Score score = observe(scenario, moments, seed, begin);
+      const Score score = observe(scenario, moments, seed, {begin, begin + 100.0});
       EXPECT_GT(score.ok, 0.98) << seed << " from " << begin;
       EXPECT_LT(score.rms, 0.09) << seed << " from " << begin;
       rms += score.rms;
@@ -123,7 +133,7 @@ TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
   int runs = 0;
   for (const unsigned seed : {21u, 22u, 23u, 24u, 25u, 26u, 27u, 28u})
   {
-    const Score score = observe(scenario, moments, seed, 0.0);
+    const Score score = observe(scenario, moments, seed, {0.0, 100.0});
     EXPECT_GT(score.ok, 0.95) << seed;
     EXPECT_LT(score.rms, 0.13) << seed;
     rms += score.rms;
@@ -132,6 +142,28 @@ TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
   }
   EXPECT_LT(rms / runs, 0.09);
   EXPECT_GT(two / runs, 0.7) << "a little too sure of itself";
+}
+
+// The satellites fail for longer than the vehicle may go on: it looks at the waves anew before it says anything.
+TEST(AcousticNavigation, BeginsAnewAfterTheVesselWasLost)
+{
+  const Scenario scenario("acoustic_navigation");
+  const std::vector<Moment> moments = play(scenario, 230.0);
+  double rms = 0.0, two = 0.0;
+  int runs = 0;
+  for (const double lost_to : {165.0, 166.5, 168.0, 169.5})
+    for (const unsigned seed : {31u, 32u})
+    {
+      const Score score = observe(scenario, moments, seed, {20.0, lost_to, lost_to - 40.0, lost_to});
+      EXPECT_GT(score.invalid, 9.0) << seed << " until " << lost_to;
+      EXPECT_LT(score.invalid, 12.0) << seed << " until " << lost_to;
+      EXPECT_LT(score.rms, 0.15) << seed << " until " << lost_to;
+      rms += score.rms;
+      two += score.within_2;
+      ++runs;
+    }
+  EXPECT_LT(rms / runs, 0.12);
+  EXPECT_GT(two / runs, 0.9);
 }
 
 }  // namespace tether_monitor::simulation
