@@ -20,7 +20,7 @@ constexpr double FARTHEST = 1e3;      // from the last sample [m]
 constexpr double OUTLIER = 4.0;       // over the standard deviation of what is left [-]
 constexpr double DOUBT = 0.15;        // about the way, over the velocity in the waves [-]
 constexpr double OTHERS = 0.05;       // chance of waves in one coordinate that are not in another [-]
-constexpr int PASSES = 3;
+constexpr int PASSES = 5;
 
 using Terms = Eigen::Vector4d;  // line, then cosine and sine
 using Normal = Eigen::Matrix4d;
@@ -29,7 +29,7 @@ struct Fit
 {
   Terms terms = Terms::Zero();
   double rate = 0.0;  // 0: the line alone
-  double place_variance = 0.0, velocity_variance = 0.0;
+  double velocity_variance = 0.0;
   double log_evidence = 0.0;
 };
 
@@ -40,10 +40,23 @@ struct Samples
   std::size_t count;
   double t;
   bool level;
-  double rough = 0.0;  // variance [m^2]
   std::array<bool, MOST_WAY_SAMPLES> keep;
+  double rough = 0.0;  // variance [m^2]
+  double scale = 1.0;  // of what is left over what was expected, squared
 
   double value(std::size_t i) const { return first[i].value - first[count - 1].value; }
+  template <class Square>
+  double meanOver(const Square& square) const
+  {
+    double sum = 0.0, kept = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (keep[i])
+      {
+        sum += square(i);
+        kept += 1.0;
+      }
+    return std::max(sum / kept, 1.0);
+  }
   Terms row(std::size_t i, double rate) const
   {
     const double dt = first[i].t - t;
@@ -62,7 +75,7 @@ Fit fitOne(const Samples& samples, double rate)
     if (samples.keep[i])
     {
       const Terms row = samples.row(i, rate);
-      const double weight = 1.0 / samples.variance(i);
+      const double weight = 1.0 / (samples.scale * samples.variance(i));
       N += weight * row * row.transpose();
       b += weight * samples.value(i) * row;
     }
@@ -71,7 +84,6 @@ Fit fitOne(const Samples& samples, double rate)
   Fit fit;
   fit.rate = rate;
   fit.terms = covariance * b;
-  fit.place_variance = covariance(0, 0);
   fit.velocity_variance = samples.level ? 0.0 : covariance(1, 1);
   fit.log_evidence = 0.5 * (b.dot(fit.terms) - ldlt.vectorD().array().log().sum() + prior.array().log().sum());
   return fit;
@@ -89,7 +101,7 @@ WaveOdds anyWave()
 Way fitWay(const WaySample* first, std::size_t count, double t, bool level, const WaveOdds& odds)
 {
   const WaveOdds usual = anyWave();
-  Samples samples{first, std::min(count, MOST_WAY_SAMPLES), t, level, 0.0, {}};
+  Samples samples{first, std::min(count, MOST_WAY_SAMPLES), t, level, {}};
   samples.keep.fill(true);
   const double span = first[samples.count - 1].t - first[0].t;
   samples.rough = ROUGH * ROUGH * std::max(1.0, static_cast<double>(samples.count) / (1.0 + INDEPENDENT * span));
@@ -104,22 +116,19 @@ Way fitWay(const WaySample* first, std::size_t count, double t, bool level, cons
       fits[k].log_evidence += std::log(OTHERS * usual[k] + (1.0 - OTHERS) * odds[k]);
       best = fits[k].log_evidence > fits[best].log_evidence ? k : best;
     }
-    double square = 0.0, kept = 0.0;
-    const auto left = [&](std::size_t i)
-    { return samples.value(i) - fits[best].terms.dot(samples.row(i, fits[best].rate)); };
+    const auto square = [&](std::size_t i)
+    {
+      const double left = samples.value(i) - fits[best].terms.dot(samples.row(i, fits[best].rate));
+      return left * left / samples.variance(i);
+    };
+    const double limit = OUTLIER * OUTLIER * samples.meanOver(square);
     for (std::size_t i = 0; i < samples.count; ++i)
-      if (samples.keep[i])
-      {
-        square += left(i) * left(i) / samples.variance(i);
-        kept += 1.0;
-      }
-    const double limit = OUTLIER * OUTLIER * std::max(square / kept, 1.0);
-    for (std::size_t i = 0; i < samples.count; ++i)
-      samples.keep[i] = left(i) * left(i) <= limit * samples.variance(i);
+      samples.keep[i] = square(i) <= limit;
+    samples.scale = samples.meanOver(square);
   }
   // What all of them say, each as far as it is likely.
   Way way;
-  double total = 0.0, place_square = 0.0, velocity_square = 0.0;
+  double total = 0.0, velocity_square = 0.0;
   for (const Fit& fit : fits)
   {
     const double weight = std::exp(fit.log_evidence - fits[best].log_evidence);
@@ -127,7 +136,6 @@ Way fitWay(const WaySample* first, std::size_t count, double t, bool level, cons
     way.odds[&fit - fits.data()] = weight;
     way.position += weight * fit.terms[0];
     way.velocity += weight * fit.terms[1];
-    place_square += weight * (fit.place_variance + fit.terms[0] * fit.terms[0]);
     velocity_square += weight * (fit.velocity_variance + fit.terms[1] * fit.terms[1]);
   }
   for (double& share : way.odds)

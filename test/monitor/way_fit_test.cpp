@@ -75,6 +75,44 @@ TEST(WayFit, KnowsThatALongSwellLooksLikeAWay)
   }
 }
 
+// Pierson and Moskowitz's spectrum: no sines.
+TEST(WayFit, KnowsHowMuchAnIrregularSeaHides)
+{
+  for (const double height : {0.5, 2.0, 5.0})
+    for (const double duration : {10.0, 20.0})
+    {
+      constexpr int RUNS = 100, WAVES = 60;
+      double within = 0.0, claimed = 0.0;
+      for (int run = 0; run < RUNS; ++run)
+      {
+        std::mt19937 generator(run);
+        std::normal_distribution<double> normal;
+        double w[WAVES], a[WAVES], b[WAVES], sum = 0.0;
+        for (int k = 0; k < WAVES; ++k)
+        {
+          w[k] = 0.35 + 0.03 * k;
+          const double x = std::pow(0.7 / w[k], 4),
+                       size = std::sqrt(std::pow(0.7 / w[k], 5) * std::exp(-1.25 * x));
+          a[k] = size * normal(generator);
+          b[k] = size * normal(generator);
+          sum += size * size;
+        }
+        const auto motion = [&](double t)
+        {
+          double y = 3.0 * t;
+          for (int k = 0; k < WAVES; ++k)
+            y += 0.25 * height / std::sqrt(sum) * (a[k] * std::cos(w[k] * t) + b[k] * std::sin(w[k] * t));
+          return y;
+        };
+        const Way way = fit(measure(duration, 0.2, 0.02, motion, run));
+        within += std::abs(way.velocity - 3.0) < 2.0 * way.velocity_stddev;
+        claimed += way.velocity_stddev / RUNS;
+      }
+      EXPECT_GT(within / RUNS, duration < 15.0 ? 0.75 : 0.95) << height << " m, " << duration << " s";
+      EXPECT_LT(claimed, 0.1 * height) << height << " m, " << duration << " s";
+    }
+}
+
 TEST(WayFit, TakesNoNoiseForWaves)
 {
   int waves = 0;
