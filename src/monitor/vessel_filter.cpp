@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tether_monitor/monitor/way_fit.h"
-
 namespace tether_monitor::monitor
 {
 namespace
@@ -24,7 +22,6 @@ constexpr double FASTEST_FADING = 10.0;            // factor on it then
 constexpr double WAVES_RISE = 14.0;                // [s] in which waves come on top of the way at the start
 constexpr double MANOEUVRE = 0.015, TIDE = 0.001;  // acceleration of the way, across and up [m/s^2]
 constexpr double FASTEST_ERROR = 1.0;              // rate of the errors that fading leaves [1/s]
-constexpr double WAY = 20.0;                       // [s] over which a vessel goes straight
 constexpr double LONGEST_GAP = 60.0;               // [s]; after it a filter begins anew
 }  // namespace
 
@@ -43,6 +40,8 @@ void VesselFilter::clear()
   checkpoints_.clear();
   last_measured_.fill(-std::numeric_limits<double>::infinity());
   surprises_ = {};
+  for (WaySamples& recent : recent_)
+    recent.clear();
   way_stddev_.setZero();
   following_since_ = -std::numeric_limits<double>::infinity();
 }
@@ -95,8 +94,10 @@ Rejection VesselFilter::add(const Entry& told)
       scatter[i].add(entry.t, entry.value[i]);
       if (!(entry.stddev[i] > 0.0))
         entry.stddev[i] = scatter[i].stddev();
-      if (!entry.is_velocity)
-        last_measured_[i] = std::max(last_measured_[i], entry.t);
+      if (entry.is_velocity)
+        continue;
+      last_measured_[i] = std::max(last_measured_[i], entry.t);
+      recent_[i].add({entry.t, entry.value[i], entry.stddev[i]});
     }
   if (log_.size() == CAPACITY)
   {
@@ -189,33 +190,13 @@ bool VesselFilter::hasPosition() const
   return std::all_of(filters_.begin(), filters_.end(), [](const AxisFilter& f) { return f.isStarted(); });
 }
 
-bool VesselFilter::isPositionOf(const Entry& e, int axis, double t)
-{
-  return !e.is_velocity && std::isfinite(e.stddev[axis]) && e.t > t - WAY;
-}
-
-VesselFilter::Recent VesselFilter::samplesOf(int axis, double t) const
-{
-  Recent recent;
-  for (const Entry& e : log_)
-    if (isPositionOf(e, axis, t))
-    {
-      recent.since = recent.count++ == 0 ? e.t : recent.since;
-      recent.until = e.t;
-    }
-  return recent;
-}
-
 bool VesselFilter::isReady(double t) const
 {
   if (!hasPosition())
     return false;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Recent recent = samplesOf(i, t);
-    if (recent.count < 2 || recent.until - recent.since < FIRST_LOOK)
+  for (const WaySamples& recent : recent_)
+    if (recent.span(t) < FIRST_LOOK)
       return false;
-  }
   return std::all_of(filters_.begin(), filters_.end(),
                      [](const AxisFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
 }
@@ -304,18 +285,12 @@ core::EndPoint VesselFilter::findWay(double t)
 {
   core::EndPoint end = at(t).end;
   way_stddev_.setConstant(SPEED_DOUBT);
-  std::array<WaySample, MOST_WAY_SAMPLES> samples;
   WaveOdds odds = anyWave();
   for (const int i : {2, 0, 1})
   {
-    const std::size_t stride = samplesOf(i, t).count / samples.size() + 1;
-    std::size_t seen = 0, count = 0;
-    for (const Entry& e : log_)
-      if (isPositionOf(e, i, t) && seen++ % stride == 0 && count < samples.size())
-        samples[count++] = {e.t, e.value[i], e.stddev[i]};
-    if (count == 0)
+    if (recent_[i].empty())
       continue;
-    const Way found = fitWay(samples.data(), count, t, i == 2, odds);  // no vessel rises for long
+    const Way found = recent_[i].fit(t, i == 2, odds);  // no vessel rises for long
     if (i == 2)
       odds = found.odds;
     end.position[i] = found.position;
@@ -342,10 +317,10 @@ bool VesselFilter::isSound() const
   const auto areSound = [](const auto& list)
   { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isSound(); }); };
   bool sound = log_.size() <= CAPACITY && checkpoints_.size() <= CHECKPOINTS && areSound(filters_) &&
-               areSound(shown_) && areSound(scatter_) && areSound(velocity_scatter_) && std::isfinite(shown_at_) &&
-               offset_.position.allFinite() && offset_.velocity.allFinite() && begun_.position.allFinite() &&
-               begun_.velocity.allFinite() && way_stddev_.allFinite() &&
-               following_since_ < std::numeric_limits<double>::infinity();
+               areSound(shown_) && areSound(recent_) && areSound(scatter_) && areSound(velocity_scatter_) &&
+               std::isfinite(shown_at_) && offset_.position.allFinite() && offset_.velocity.allFinite() &&
+               begun_.position.allFinite() && begun_.velocity.allFinite() && way_stddev_.allFinite() &&
+               following_since_ <= shown_at_;
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < checkpoints_.size(); ++i)

@@ -185,6 +185,29 @@ TEST(VesselFilter, TheWavesRiseFromTheWayWithoutAnExcursion)
   EXPECT_LT(jump, 2.0 * passage.w * passage.w);
 }
 
+TEST(VesselFilter, IsReadyAsSoonHoweverFastPositionsCome)
+{
+  for (const double interval : {0.004, 0.01, 0.05, 0.2, 1.0, 4.0})
+  {
+    Passage passage(8.0);
+    VesselFilter filter;
+    double ready = 0.0;
+    for (int i = 0; ready == 0.0 && i * interval < 30.0; ++i)
+    {
+      const double t = i * interval;
+      const core::EndPoint truth = passage.at(t);
+      filter.addPosition(t, truth.position, Vector3::Constant(0.02));
+      filter.addVelocity(t, truth.velocity, Vector3::Constant(0.05));
+      if (filter.isReady(t))
+        ready = t;
+    }
+    ASSERT_GE(ready, 9.5 - 1e-9) << interval;
+    EXPECT_LE(ready, 12.0) << interval;
+    const core::EndPoint way = filter.findWay(ready);
+    EXPECT_NEAR(way.velocity.x(), 3.0, 2.5 * filter.wayStddev().x()) << interval;
+  }
+}
+
 TEST(VesselFilter, AfterAGapItLooksAtTheWavesAnew)
 {
   for (const double gap : {15.0, 30.0, 90.0})

@@ -7,6 +7,7 @@
 #include "tether_monitor/monitor/axis_filter.h"
 #include "tether_monitor/monitor/body_track.h"
 #include "tether_monitor/monitor/scatter.h"
+#include "tether_monitor/monitor/way_samples.h"
 
 namespace tether_monitor::monitor
 {
@@ -75,8 +76,8 @@ class VesselFilter
   template <class Archive>
   void archive(Archive& a)
   {
-    a(filters_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, outliers_, surprises_, shown_,
-      shown_at_, offset_, begun_, way_stddev_, following_since_);
+    a(filters_, recent_, scatter_, velocity_scatter_, log_, checkpoints_, last_measured_, outliers_, surprises_,
+      shown_, shown_at_, offset_, begun_, way_stddev_, following_since_);
   }
 
  private:
@@ -110,18 +111,11 @@ class VesselFilter
   Rejection add(const Entry& entry);
   void run(const Entry& entry);
   void remember(double t);
-  // Positions of an axis in the last seconds.
-  struct Recent
-  {
-    std::size_t count = 0;
-    double since = 0.0, until = 0.0;
-  };
-  static bool isPositionOf(const Entry& entry, int axis, double t);
-  Recent samplesOf(int axis, double t) const;
   static Motion motionOf(const Filters& filters, double t);
   void riseFromTheWay(double t, Motion& motion) const;
 
   Filters filters_;
+  std::array<WaySamples, 3> recent_;
   std::array<Scatter, 3> scatter_, velocity_scatter_;
   std::vector<Entry> log_;               // in order of time
   std::vector<Checkpoint> checkpoints_;  // likewise: filters before the entries from t on

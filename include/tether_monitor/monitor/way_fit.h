@@ -11,6 +11,12 @@ struct WaySample
   double t = 0.0;       ///< [s]
   double value = 0.0;   ///< [m]
   double stddev = 0.0;  ///< of its noise [m], >= 0.
+
+  template <class Archive>
+  void archive(Archive& a)
+  {
+    a(t, value, stddev);
+  }
 };
 
 /// How likely it is that there is no wave (the first), or one of each frequency of a grid; adds up to 1.
