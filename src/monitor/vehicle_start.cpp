@@ -173,7 +173,8 @@ core::Matrix3 forceOfWay(core::Statics& statics, const core::CableModel& model, 
     at.velocity = ends.velocity;
     at.velocity[i] += velocity_stddev[i];
     core::NodeField shape = start.shape;
-    if (!(velocity_stddev[i] > 0.0) || !statics.solveFrom(held, at, shape).converged())
+    if (!(velocity_stddev[i] > 0.0) || (!statics.solveFrom(held, at, shape).converged() &&
+                                        !core::findSteadyState(statics, held, at, shape).converged()))
       continue;
     const core::Vector3 force = holdingForce(model, held, shape, at.velocity) - usual;
     covariance += force * force.transpose();

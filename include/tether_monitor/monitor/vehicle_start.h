@@ -36,7 +36,8 @@ core::SolveReport findVehicleStart(core::Statics& statics, const core::CableMode
  * What a velocity of the steady state that is not quite known makes of the force of a start.
  *
  * @param velocity_stddev  of the common velocity [m/s].
- * @return                 covariance of the force [N^2].
+ * @return                 covariance of the force [N^2]; without the part of an axis for which there is no steady
+ * state.
  */
 core::Matrix3 forceOfWay(core::Statics& statics, const core::CableModel& model, const core::SteadyEnds& ends,
                          const core::Vector3& velocity_stddev, const VehicleStart& start);
