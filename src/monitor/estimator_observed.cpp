@@ -149,8 +149,11 @@ Reason TetherEstimator::lackOf(double t) const
     return Reason::NONE;
   if (observer_.silence(observedAge(t)) > config_.invalid_timeout)
     return Reason::VEHICLE_STALE;
-  return tensionStddev() <= config_.navigation.invalid_stddev * config_.tether.working_load ? Reason::NONE
-                                                                                            : Reason::UNCERTAIN;
+  const double stddev = tensionStddev() / config_.tether.working_load;
+  // The waves are still to come, and nobody needs an alarm for what is missing of them.
+  if (vessel_filter_.isRising(t) && stddev > config_.navigation.degraded_stddev)
+    return Reason::SETTLING;
+  return stddev <= config_.navigation.invalid_stddev ? Reason::NONE : Reason::UNCERTAIN;
 }
 
 // What makes them doubtful.

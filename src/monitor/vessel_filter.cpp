@@ -251,12 +251,17 @@ VesselFilter::Motion VesselFilter::follow(double t)
   return motion;
 }
 
+bool VesselFilter::isRising(double t) const
+{
+  return t - following_since_ < WAVES_RISE;
+}
+
 // What is not shown yet of the waves is known to be missing.
 void VesselFilter::riseFromTheWay(double t, Motion& motion) const
 {
-  const double x = std::max(0.0, (t - following_since_) / WAVES_RISE);
-  if (x >= 1.0)
+  if (!isRising(t))
     return;
+  const double x = std::max(0.0, (t - following_since_) / WAVES_RISE);
   const double share = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
   const double rate = 30.0 * x * x * (1.0 - x) * (1.0 - x) / WAVES_RISE;
   const core::Vector3 way = begun_.position + (t - following_since_) * begun_.velocity;

@@ -198,8 +198,9 @@ TEST(ReplayRun, AnObservedVehicleStartsWithItsFirstPosition)
     EXPECT_EQ(is_invalid, line.find("nan") != std::string::npos) << line;
     (is_invalid ? invalid : valid) += 1;
   }
-  EXPECT_EQ(invalid, 20) << "until the first position";
-  EXPECT_EQ(valid, 581);
+  EXPECT_GE(invalid, 20) << "until the first position, ...";
+  EXPECT_LE(invalid, 30) << "... and while most of the heave is missing at the end of a taut tether";
+  EXPECT_EQ(invalid + valid, 601);
   EXPECT_NEAR(estimator.estimate().vehicle.position.z(), -98.9, 0.5);
 }
 

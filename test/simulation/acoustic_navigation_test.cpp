@@ -49,6 +49,7 @@ struct Score
 {
   double rms = 0.0, ok = 0.0, within_1 = 0.0, within_2 = 0.0;
   double invalid = 0.0;  // [s]
+  bool alarmed = false;  // for the tension
 };
 
 // Times [s]: from `begin` on there are measurements, between `lost_from` and `lost_to` none of the vessel.
@@ -65,6 +66,7 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
   HeaveSensor heave(plan.heave, seed + 2);
   monitor::TetherEstimator estimator(scenario.config);
   double n = 0.0, invalid = 0.0, mean = 0.0, square = 0.0, ok = 0.0, one = 0.0, two = 0.0;
+  bool alarmed = false;
   for (const Moment& now : moments)
   {
     const auto positions = satellites.look(now.t, now.vessel), fixes = acoustics.look(now.t, now.vehicle);
@@ -84,6 +86,8 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
     for (const Measurement& m : fixes)
       estimator.addVehicle(measured(m.time, m.body, std::nan("")));
     const monitor::TetherEstimate& e = estimator.tick(now.t);
+    for (const monitor::Alarm& alarm : estimator.alarms().alarms())
+      alarmed = alarmed || (alarm.isRaised() && alarm.definition().name.find("over_tension") == 0);
     if (now.t < when.count_from)
       continue;
     invalid += e.status == monitor::Status::INVALID;
@@ -97,7 +101,7 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
     one += error <= e.vessel_tension_stddev;
     two += error <= 2.0 * e.vessel_tension_stddev;
   }
-  return {std::sqrt(square / n) / (mean / n), ok / (n + invalid), one / n, two / n, invalid * TICK};
+  return {std::sqrt(square / n) / (mean / n), ok / (n + invalid), one / n, two / n, invalid * TICK, alarmed};
 }
 }  // namespace
 
@@ -113,6 +117,7 @@ TEST(AcousticNavigation, KnowsTheTensionInASeaway)
     {
       const Score score = observe(scenario, moments, seed, {begin, begin + 100.0});
       EXPECT_GT(score.ok, 0.98) << seed << " from " << begin;
+      EXPECT_FALSE(score.alarmed) << seed << " from " << begin;
       EXPECT_LT(score.rms, 0.09) << seed << " from " << begin;
       rms += score.rms;
       one += score.within_1;
@@ -135,6 +140,7 @@ TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
   {
     const Score score = observe(scenario, moments, seed, {0.0, 100.0});
     EXPECT_GT(score.ok, 0.95) << seed;
+    EXPECT_FALSE(score.alarmed) << seed << ": the peaks are half the working load";
     EXPECT_LT(score.rms, 0.13) << seed;
     rms += score.rms;
     two += score.within_2;
@@ -156,7 +162,7 @@ TEST(AcousticNavigation, BeginsAnewAfterTheVesselWasLost)
     {
       const Score score = observe(scenario, moments, seed, {20.0, lost_to, lost_to - 40.0, lost_to});
       EXPECT_GT(score.invalid, 9.0) << seed << " until " << lost_to;
-      EXPECT_LT(score.invalid, 12.0) << seed << " until " << lost_to;
+      EXPECT_LT(score.invalid, 15.0) << seed << " until " << lost_to;
       EXPECT_LT(score.rms, 0.15) << seed << " until " << lost_to;
       rms += score.rms;
       two += score.within_2;

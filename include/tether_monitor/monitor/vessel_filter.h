@@ -66,6 +66,8 @@ class VesselFilter
   Motion follow(double t);
   /// Begins to follow at time t [s] on the straight way `from`; the rest of the motion comes on top within 14 s.
   void followFrom(double t, const core::EndPoint& from);
+  /// True while not all of the motion is on top of the way yet.
+  bool isRising(double t) const;
   /// How fast the errors of a motion are [1/s].
   static double errorRate(const Motion& motion);
   const AxisFilter& axis(int i) const { return filters_[i]; }
