@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "navigation.h"
+#include "verification/navigation_study.h"
 
 namespace tether_monitor::bench
 {
@@ -36,7 +36,7 @@ struct Estimator
 
 constexpr Trial TRIALS[] = {{"known", 1.0}, {"wrong", 1.3}};
 constexpr Estimator ESTIMATORS[] = {{"observed", VehicleMode::OBSERVED, ObserverGains::KALMAN},
-                                    {"without tether", VehicleMode::OBSERVED, ObserverGains::WITHOUT_TETHER},
+                                    {"without tether", VehicleMode::OBSERVED, ObserverGains::NO_TETHER_MODEL},
                                     {"fixed gains", VehicleMode::OBSERVED, ObserverGains::FIXED},
                                     {"held end", VehicleMode::TRACKED, ObserverGains::KALMAN},
                                     {"held, no outliers", VehicleMode::TRACKED, ObserverGains::KALMAN, 0.0}};

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "cases.h"
-#include "tether_monitor/core/mesh_choice.h"
+#include "tether_monitor/core/solve/mesh_convergence.h"
+#include "verification/reference_cases.h"
 
 namespace
 {
@@ -163,7 +163,7 @@ json workPrecision(const Case& c)
   for (const double accuracy : {1e-2, 1e-3, 1e-4})
   {
     const double begin = bench::cpuTime();
-    const core::MeshChoice mesh = core::chooseMesh(
+    const core::MeshSelection mesh = core::selectMesh(
         [&](int elements)
         {
           core::CableModel model(c.tether, elements, c.sea);

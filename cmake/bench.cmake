@@ -1,11 +1,14 @@
 # The benchmarks of bench/; see bench/README.md.
 find_package(benchmark REQUIRED)
-find_package(nlohmann_json REQUIRED)
 
-add_executable(bench_kernels bench/kernels.cpp)
-target_link_libraries(bench_kernels PRIVATE tether_monitor_bench benchmark::benchmark tether_monitor_options)
+add_executable(bench_kernels bench/kernel_benchmark.cpp)
+target_link_libraries(bench_kernels PRIVATE tether_monitor_verification benchmark::benchmark tether_monitor_options)
 
-foreach(driver work_precision steady_states navigation_noise)
-  add_executable(bench_${driver} bench/${driver}.cpp)
-  target_link_libraries(bench_${driver} PRIVATE tether_monitor_bench nlohmann_json::nlohmann_json tether_monitor_options)
-endforeach()
+function(add_bench_driver name source)
+  add_executable(bench_${name} ${source})
+  target_link_libraries(bench_${name} PRIVATE tether_monitor_verification nlohmann_json::nlohmann_json
+                                              tether_monitor_options)
+endfunction()
+add_bench_driver(work_precision bench/work_precision.cpp)
+add_bench_driver(steady_states bench/steady_state_success_rate.cpp)
+add_bench_driver(navigation_noise bench/navigation_noise.cpp)

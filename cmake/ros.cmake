@@ -9,7 +9,7 @@ endif()
 
 find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp rosgraph_msgs
-  std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros visualization_msgs)
+  std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros visualization_msgs)
 
 add_message_files(FILES
   Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg Payout.msg
@@ -24,22 +24,29 @@ catkin_package(
 
 find_package(CLI11 REQUIRED)
 
-file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
-add_library(tether_monitor_ros STATIC ${ros_sources})
+add_library(tether_monitor_ros STATIC
+  src/ros/bag_replay.cpp
+  src/ros/diagnostics.cpp
+  src/ros/input_adapter.cpp
+  src/ros/markers.cpp
+  src/ros/message_conversions.cpp
+  src/ros/monitor_node.cpp
+  src/ros/parameter_server.cpp
+  src/ros/simulator_node.cpp)
 add_dependencies(tether_monitor_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(tether_monitor_ros
   PUBLIC tether_monitor_params tether_monitor_replay ${catkin_LIBRARIES}
   PRIVATE tether_monitor_options)
 
-add_executable(tether_monitor_node src/nodes/tether_monitor_node.cpp)
+add_executable(tether_monitor_node src/apps/tether_monitor_node.cpp)
 target_link_libraries(tether_monitor_node PRIVATE tether_monitor_ros tether_monitor_options)
 
-add_executable(tether_sim_node src/nodes/tether_sim_node.cpp)
+add_executable(tether_sim_node src/apps/tether_sim_node.cpp)
 target_link_libraries(tether_sim_node PRIVATE tether_monitor_ros tether_monitor_options)
 
 foreach(tool tether_replay tether_steady)
-  add_executable(${tool} src/tools/${tool}.cpp)
+  add_executable(${tool} src/apps/${tool}.cpp)
   target_link_libraries(${tool} PRIVATE tether_monitor_ros CLI11::CLI11 tether_monitor_options)
 endforeach()
 
@@ -53,10 +60,10 @@ install(DIRECTORY include/${PROJECT_NAME}/core include/${PROJECT_NAME}/monitor
 install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES test/data/tank_run.bag test/data/tank_run.md
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
-catkin_install_python(PROGRAMS scripts/demo_watch.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+catkin_install_python(PROGRAMS scripts/demo_monitor.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 if(CATKIN_ENABLE_TESTING)
   enable_testing()
-  include(cmake/core_tests.cmake)
+  include(cmake/tests.cmake)
   include(cmake/ros_tests.cmake)
 endif()

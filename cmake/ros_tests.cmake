@@ -4,7 +4,7 @@ find_package(roslaunch REQUIRED)
 
 roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
-catkin_add_gtest(ros_test test/main.cpp test/ros/unit/conversions_test.cpp TIMEOUT 120)
+catkin_add_gtest(ros_test test/ros/unit/message_conversions_test.cpp TIMEOUT 120)
 target_link_libraries(ros_test tether_monitor_ros)
 target_include_directories(ros_test PRIVATE test)
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "checks.h"
+#include "verification/robustness_checks.h"
 
 int main(int count, char** words)
 {
@@ -15,11 +15,11 @@ int main(int count, char** words)
   }
   const long first = count > 3 ? std::atol(words[3]) : 1;
   long passed = 0, failed = 0;
-  const auto campaign = [&](const char* what, long runs, std::string (*check)(Dice&))
+  const auto campaign = [&](const char* what, long runs, std::string (*check)(RandomSource&))
   {
     for (long seed = first; seed < first + runs; ++seed)
     {
-      Dice dice(static_cast<unsigned>(seed));
+      RandomSource dice(static_cast<unsigned>(seed));
       const std::string fault = check(dice);
       ++(fault.empty() ? passed : failed);
       if (!fault.empty())

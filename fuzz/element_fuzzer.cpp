@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "checks.h"
+#include "verification/robustness_checks.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  tether_monitor::fuzz::Dice dice(data, size);
+  tether_monitor::fuzz::RandomSource dice(data, size);
   const std::string fault = tether_monitor::fuzz::checkElement(dice);
   if (!fault.empty())
   {

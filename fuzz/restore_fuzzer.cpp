@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
 
 namespace
 {
@@ -34,7 +34,7 @@ const std::vector<std::uint8_t>& genuine()
     estimator.begin(0.0, ends);
     estimator.advance(0.05, ends);
     std::vector<std::uint8_t> saved = estimator.save();
-    tether_monitor::core::unseal(saved);
+    tether_monitor::core::verifyChecksum(saved);
     return saved;
   }();
   return bytes;
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint8_t> bytes = genuine();
   for (std::size_t i = 0; i + 3 <= size && i < 300; i += 3)
     bytes[(data[i] * 256u + data[i + 1]) % bytes.size()] = data[i + 2];
-  tether_monitor::core::seal(bytes);
+  tether_monitor::core::appendChecksum(bytes);
   TetherEstimator estimator(config());
   if (!estimator.restore(bytes))
     return 0;

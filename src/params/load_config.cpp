@@ -4,32 +4,32 @@
 #include <filesystem>
 #include <memory>
 
-#include "tether_monitor/params/depth_grid.h"
-#include "tether_monitor/params/reader.h"
+#include "tether_monitor/files/depth_grid_file.h"
+#include "tether_monitor/params/parameter_reader.h"
 #include "tether_monitor/params/yaml_file.h"
 
-#include "tether_monitor/core/mesh_choice.h"
+#include "tether_monitor/core/solve/mesh_convergence.h"
 
 namespace tether_monitor::params
 {
 namespace
 {
-core::CurrentProfile loadCurrent(Reader& in)
+core::CurrentProfile loadCurrent(ParameterReader& in)
 {
   std::vector<core::CurrentProfile::Sample> samples;
-  for (Reader& entry : in.children("current"))
+  for (ParameterReader& entry : in.list("current"))
   {
     samples.push_back({entry.number("depth"), entry.vector("velocity")});
     entry.finish();
   }
-  std::vector<std::string> faults = core::problems(samples);
+  std::vector<std::string> faults = core::validate(samples);
   for (std::string& fault : faults)
     fault = "environment." + fault;
-  in.report(faults);
+  in.addErrors(faults);
   return faults.empty() ? core::CurrentProfile(samples) : core::CurrentProfile();
 }
 
-core::WaveProperties loadWaves(Reader in)
+core::WaveProperties loadWaves(ParameterReader in)
 {
   core::WaveProperties waves;
   waves.amplitude = in.number("amplitude", waves.amplitude);
@@ -40,11 +40,11 @@ core::WaveProperties loadWaves(Reader in)
   return waves;
 }
 
-core::Seabed loadSeabed(Reader in, const std::string& folder)
+core::Seabed loadSeabed(ParameterReader in, const std::string& folder)
 {
   core::Seabed seabed;
   seabed.depth = in.number("depth", seabed.depth);
-  const core::Vector3 slope = in.pair("slope", core::Vector3::Zero());
+  const core::Vector3 slope = in.vector2("slope", core::Vector3::Zero());
   seabed.slope = slope.head<2>();
   seabed.normal_stiffness = in.number("normal_stiffness", seabed.normal_stiffness);
   seabed.damping = in.number("damping", seabed.damping);
@@ -54,36 +54,36 @@ core::Seabed loadSeabed(Reader in, const std::string& folder)
   {
     try
     {
-      seabed.grid = std::make_shared<const core::DepthGrid>(readDepthGrid(fileBeside(folder, grid)));
+      seabed.grid = std::make_shared<const core::DepthGrid>(files::readDepthGrid(files::fileBeside(folder, grid)));
     }
     catch (const std::exception& error)
     {
-      in.report({std::string("environment.seabed.grid: ") + error.what()});
+      in.addErrors({std::string("environment.seabed.grid: ") + error.what()});
     }
   }
   in.finish();
   return seabed;
 }
 
-core::ObstacleShape loadShape(Reader& in)
+core::ObstacleShape loadShape(ParameterReader& in)
 {
   // As a word, or as the number of Obstacle.msg.
-  const std::string word = in.word("shape");
+  const std::string word = in.textOrInteger("shape");
   if (word == "sphere" || word == "SPHERE" || word == "0")
     return core::ObstacleShape::SPHERE;
   if (word == "cylinder" || word == "CYLINDER" || word == "1")
     return core::ObstacleShape::CYLINDER;
   if (!word.empty() && word != "box" && word != "BOX" && word != "2")
-    in.fault("shape", " = '" + word + "' (must be sphere, cylinder or box)");
+    in.addError("shape", " = '" + word + "' (must be sphere, cylinder or box)");
   return core::ObstacleShape::BOX;
 }
 
-core::Obstacle loadObstacle(Reader in)
+core::Obstacle loadObstacle(ParameterReader in)
 {
   core::Obstacle obstacle;
   obstacle.name = in.text("name", "");
   obstacle.shape = loadShape(in);
-  Reader pose = in.child("pose");
+  ParameterReader pose = in.child("pose");
   obstacle.position = pose.vector("position");
   const std::vector<double> q = pose.numbers("orientation", {0.0, 0.0, 0.0, 1.0}, 4, 4);
   obstacle.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
@@ -100,7 +100,7 @@ core::Obstacle loadObstacle(Reader in)
   return obstacle;
 }
 
-core::Environment loadEnvironment(Reader in, const std::string& folder)
+core::Environment loadEnvironment(ParameterReader in, const std::string& folder)
 {
   core::Environment sea;
   sea.water_density = in.number("water_density", sea.water_density);
@@ -110,14 +110,14 @@ core::Environment loadEnvironment(Reader in, const std::string& folder)
   sea.wind = in.vector("wind", sea.wind);
   if (in.has("seabed"))
     sea.seabed = loadSeabed(in.child("seabed"), folder);
-  for (Reader& entry : in.children("obstacles"))
+  for (ParameterReader& entry : in.list("obstacles"))
     sea.obstacles.push_back(loadObstacle(entry));
   in.finish();
   return sea;
 }
 
 // The properties from `diameter` on: of the tether, or of a section that differs from it where it says so.
-void loadProperties(Reader& in, const core::CableProperties* base, core::CableProperties& p)
+void loadProperties(ParameterReader& in, const core::CableProperties* base, core::CableProperties& p)
 {
   const auto required = [&](const char* key, double core::CableProperties::*member)
   { p.*member = base ? in.number(key, base->*member) : in.number(key); };
@@ -137,10 +137,10 @@ void loadProperties(Reader& in, const core::CableProperties* base, core::CablePr
   p.permanent_elongation = in.number("permanent_elongation", p.permanent_elongation);
 }
 
-core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether)
+core::CableLayout loadFittings(ParameterReader& in, const core::CableProperties& tether)
 {
-  core::CableFittings fittings;
-  for (Reader& entry : in.children("sections"))
+  core::CableLayout layout;
+  for (ParameterReader& entry : in.list("sections"))
   {
     core::CableSection section;
     section.from = entry.number("from");
@@ -150,9 +150,9 @@ core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether
     if (entry.has("min_bend_radius"))
       section.properties.min_bend_radius = entry.optionalNumber("min_bend_radius");
     entry.finish();
-    fittings.sections.push_back(section);
+    layout.sections.push_back(section);
   }
-  for (Reader& entry : in.children("attachments"))
+  for (ParameterReader& entry : in.list("attachments"))
   {
     core::Attachment attachment;
     attachment.name = entry.text("name", "");
@@ -161,36 +161,36 @@ core::CableFittings loadFittings(Reader& in, const core::CableProperties& tether
     attachment.volume = entry.number("volume");
     attachment.drag_area = entry.number("drag_area", 0.0);
     entry.finish();
-    fittings.attachments.push_back(attachment);
+    layout.attachments.push_back(attachment);
   }
-  return fittings;
+  return layout;
 }
 
-void loadTether(Reader in, monitor::Config& config)
+void loadTether(ParameterReader in, monitor::Config& config)
 {
   core::CableProperties& p = config.tether;
   p.length = in.number("length");
-  if (in.says("elements", "auto"))
+  if (in.isText("elements", "auto"))
     config.accuracy = in.number("accuracy", 1e-3);
   else
     config.elements = in.integer("elements");
   if (!config.accuracy && in.has("accuracy"))
   {
-    in.fault("accuracy", " is for elements: auto");
+    in.addError("accuracy", " is for elements: auto");
     in.ignore("accuracy");
   }
   loadProperties(in, nullptr, p);
   p.min_bend_radius = in.optionalNumber("min_bend_radius");
   config.drag_amplification = in.number("drag_amplification", config.drag_amplification);
-  config.fittings = loadFittings(in, p);
+  config.layout = loadFittings(in, p);
   // With elements: auto a mesh to begin with, that has room for what is fixed to the tether.
   while (config.accuracy && config.elements < core::MOST_ELEMENTS &&
-         !core::elementCountProblems(config.elements, p.length, config.fittings).empty())
+         !core::validateElementCount(config.elements, p.length, config.layout).empty())
     ++config.elements;
   in.finish();
 }
 
-monitor::BodyConfig loadBody(Reader& in)
+monitor::BodyConfig loadBody(ParameterReader& in)
 {
   monitor::BodyConfig body;
   body.attachment = in.vector("attachment", body.attachment);
@@ -198,7 +198,7 @@ monitor::BodyConfig loadBody(Reader& in)
   return body;
 }
 
-monitor::BodyConfig loadVessel(Reader in)
+monitor::BodyConfig loadVessel(ParameterReader in)
 {
   monitor::BodyConfig body = loadBody(in);
   if (in.has("position_stddev"))
@@ -209,7 +209,7 @@ monitor::BodyConfig loadVessel(Reader in)
   return body;
 }
 
-std::optional<core::WinchProperties> loadWinch(Reader in)
+std::optional<core::WinchProperties> loadWinch(ParameterReader in)
 {
   core::WinchProperties winch;
   winch.core_diameter = in.number("core_diameter");
@@ -219,7 +219,7 @@ std::optional<core::WinchProperties> loadWinch(Reader in)
   return winch;
 }
 
-monitor::NavigationConfig loadNavigation(Reader& in)
+monitor::NavigationConfig loadNavigation(ParameterReader& in)
 {
   monitor::NavigationConfig navigation;
   navigation.position_stddev = in.number("position_stddev", navigation.position_stddev);
@@ -231,7 +231,7 @@ monitor::NavigationConfig loadNavigation(Reader& in)
   return navigation;
 }
 
-void loadVehicle(Reader in, monitor::Config& config)
+void loadVehicle(ParameterReader in, monitor::Config& config)
 {
   config.vehicle = loadBody(in);
   const std::string mode = in.text("mode", "tracked");
@@ -255,19 +255,19 @@ void loadVehicle(Reader in, monitor::Config& config)
   }
   else if (!is_simulated)
   {
-    in.report({"vehicle.mode = '" + mode + "' (must be tracked, free or observed)"});
+    in.addErrors({"vehicle.mode = '" + mode + "' (must be tracked, free or observed)"});
   }
   in.finish();
 }
 
-core::StepperOptions loadSolver(Reader in)
+core::StepperOptions loadSolver(ParameterReader in)
 {
   core::StepperOptions options;
   const std::string integrator = in.text("integrator", "generalized_alpha");
   if (integrator == "abarbanel_zwas")
     options.scheme = core::Scheme::ABARBANEL_ZWAS;
   else if (integrator != "generalized_alpha")
-    in.report({"solver.integrator = '" + integrator + "' (must be generalized_alpha or abarbanel_zwas)"});
+    in.addErrors({"solver.integrator = '" + integrator + "' (must be generalized_alpha or abarbanel_zwas)"});
   options.corrections = in.integer("corrections", options.corrections);
   options.courant = in.number("courant", options.courant);
   options.step = in.number("step", options.step);
@@ -276,7 +276,7 @@ core::StepperOptions loadSolver(Reader in)
   return options;
 }
 
-void loadAlarm(Reader in, monitor::AlarmConfig& alarm)
+void loadAlarm(ParameterReader in, monitor::AlarmConfig& alarm)
 {
   const auto optional = [&](const char* key, std::optional<double>& value)
   {
@@ -288,18 +288,18 @@ void loadAlarm(Reader in, monitor::AlarmConfig& alarm)
   alarm.timing.on_delay = in.number("on_delay", alarm.timing.on_delay);
   alarm.timing.off_delay = in.number("off_delay", alarm.timing.off_delay);
   alarm.timing.deadband = in.number("deadband", alarm.timing.deadband);
-  alarm.timing.latch = in.flag("latch", alarm.timing.latch);
+  alarm.timing.latch = in.boolean("latch", alarm.timing.latch);
   in.finish();
 }
 
-void loadMonitor(Reader in, monitor::Config& config)
+void loadMonitor(ParameterReader in, monitor::Config& config)
 {
   config.rate = in.number("rate", config.rate);
   config.pose_timeout = in.number("pose_timeout", config.pose_timeout);
   config.invalid_timeout = in.number("invalid_timeout", config.invalid_timeout);
   config.navigation.degraded_stddev = in.number("degraded_stddev", config.navigation.degraded_stddev);
   config.navigation.invalid_stddev = in.number("invalid_stddev", config.navigation.invalid_stddev);
-  Reader alarms = in.child("alarms");
+  ParameterReader alarms = in.child("alarms");
   loadAlarm(alarms.child("over_tension"), config.alarms.over_tension);
   loadAlarm(alarms.child("breaking"), config.alarms.breaking);
   loadAlarm(alarms.child("slack"), config.alarms.slack);
@@ -310,7 +310,7 @@ void loadMonitor(Reader in, monitor::Config& config)
 }
 }  // namespace
 
-core::RigidBody loadRigidBody(Reader& in)
+core::RigidBody loadRigidBody(ParameterReader& in)
 {
   core::RigidBody body;
   body.mass = in.number("mass");
@@ -327,7 +327,7 @@ core::RigidBody loadRigidBody(Reader& in)
 
 monitor::Config loadConfig(const Value& tree, const std::string& where, const std::string& folder)
 {
-  Reader in(tree);
+  ParameterReader in(tree);
   monitor::Config config;
   config.world_frame = in.text("world_frame", config.world_frame);
   config.environment = loadEnvironment(in.child("environment"), folder);
@@ -343,13 +343,13 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   in.finish();
 
   // A key that could not be read has its fault already; its bound is not worth a second one.
-  std::vector<std::string> bounds = monitor::problems(config);
+  std::vector<std::string> bounds = monitor::validate(config);
   bounds.erase(std::remove_if(bounds.begin(), bounds.end(),
                               [](const std::string& text) { return text.find(" = nan ") != std::string::npos; }),
                bounds.end());
-  in.report(bounds);
-  if (!in.faults().empty())
-    throw ParamError(where, in.faults());
+  in.addErrors(bounds);
+  if (!in.errors().empty())
+    throw ParameterError(where, in.errors());
   return config;
 }
 

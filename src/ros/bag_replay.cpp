@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "tether_monitor/ros/diagnostics.h"
-#include "tether_monitor/ros/measurement_intake.h"
+#include "tether_monitor/ros/input_adapter.h"
 
 namespace tether_monitor
 {
@@ -39,7 +39,7 @@ struct Input
   ros::Time recorded;
   bool is_pose;
   std::string topic;
-  std::function<std::string(MeasurementIntake&)> take;
+  std::function<std::string(InputAdapter&)> take;
 
   ros::Time arrival() const { return std::max(stamp, recorded); }
 };
@@ -66,16 +66,16 @@ void openBag(const std::string& path, rosbag::Bag& bag)
 }
 
 template <typename Message>
-bool addBody(const rosbag::MessageInstance& instance, const std::string& topic, BodyName body, bool is_pose,
+bool addBody(const rosbag::MessageInstance& instance, const std::string& topic, Body body, bool is_pose,
              Recording& recording)
 {
   const auto message = instance.instantiate<Message>();
   if (!message)
     return false;
   const ros::Time recorded = instance.getTime();
-  recording.inputs[body == BodyName::VESSEL ? VESSEL_STREAM : VEHICLE_STREAM].push_back(
+  recording.inputs[body == Body::VESSEL ? VESSEL_STREAM : VEHICLE_STREAM].push_back(
       {message->header.stamp, recorded, is_pose, topic,
-       [message, body, recorded](MeasurementIntake& intake) { return intake.take(body, *message, recorded); }});
+       [message, body, recorded](InputAdapter& adapter) { return adapter.accept(body, *message, recorded); }});
   return true;
 }
 
@@ -87,23 +87,22 @@ bool addOther(const rosbag::MessageInstance& instance, const std::string& topic,
     return false;
   const ros::Time recorded = instance.getTime();
   recording.inputs[OTHER_STREAM].push_back({message->header.stamp, recorded, false, topic,
-                                            [message, recorded](MeasurementIntake& intake)
-                                            { return intake.take(*message, recorded); }});
+                                            [message, recorded](InputAdapter& adapter)
+                                            { return adapter.accept(*message, recorded); }});
   return true;
 }
 
 // A number without a stamp counts from when it was recorded.
 bool addNumber(const rosbag::MessageInstance& instance, const std::string& topic,
-               std::string (MeasurementIntake::*take)(const std_msgs::Float64&, const ros::Time&),
-               Recording& recording)
+               std::string (InputAdapter::*take)(const std_msgs::Float64&, const ros::Time&), Recording& recording)
 {
   const auto message = instance.instantiate<std_msgs::Float64>();
   if (!message)
     return false;
   const ros::Time recorded = instance.getTime();
   recording.inputs[OTHER_STREAM].push_back({recorded, recorded, false, topic,
-                                            [message, take, recorded](MeasurementIntake& intake)
-                                            { return (intake.*take)(*message, recorded); }});
+                                            [message, take, recorded](InputAdapter& adapter)
+                                            { return (adapter.*take)(*message, recorded); }});
   return true;
 }
 
@@ -117,8 +116,8 @@ void addTransforms(const rosbag::MessageInstance& instance, bool is_static, Reco
 void addMessage(const rosbag::MessageInstance& m, const std::string& topic, Recording& recording)
 {
   bool known = true;
-  for (const auto& [name, body] : {std::make_pair(std::string("vessel"), BodyName::VESSEL),
-                                   std::make_pair(std::string("vehicle"), BodyName::VEHICLE)})
+  for (const auto& [name, body] : {std::make_pair(std::string("vessel"), Body::VESSEL),
+                                   std::make_pair(std::string("vehicle"), Body::VEHICLE)})
   {
     if (topic == name + "/pose")
       known = addBody<geometry_msgs::PoseStamped>(m, topic, body, true, recording);
@@ -136,9 +135,9 @@ void addMessage(const rosbag::MessageInstance& m, const std::string& topic, Reco
   else if (topic == "vehicle/thrust")
     known = addOther<geometry_msgs::WrenchStamped>(m, topic, recording);
   else if (topic == "seabed")
-    known = addNumber(m, topic, &MeasurementIntake::takeDepth, recording);
+    known = addNumber(m, topic, &InputAdapter::acceptDepth, recording);
   else if (topic == "turns")
-    known = addNumber(m, topic, &MeasurementIntake::takeTurns, recording);
+    known = addNumber(m, topic, &InputAdapter::acceptTurns, recording);
   if (!known)
   {
     RefusalCount& refusal = recording.refusals[topic];
@@ -235,10 +234,10 @@ void sortByArrival(Recording& recording)
                      [](const Input& a, const Input& b) { return a.arrival() < b.arrival(); });
 }
 
-void takeNext(Recording& recording, Stream stream, MeasurementIntake& intake)
+void takeNext(Recording& recording, Stream stream, InputAdapter& adapter)
 {
   const Input& input = recording.inputs[stream][recording.next[stream]++];
-  const std::string why = input.take(intake);
+  const std::string why = input.take(adapter);
   if (why.empty())
     return;
   RefusalCount& refusal = recording.refusals[input.topic];
@@ -247,8 +246,8 @@ void takeNext(Recording& recording, Stream stream, MeasurementIntake& intake)
 }
 
 // Takes what is known at time t, and of each body what comes next, so that its motion is interpolated.
-void takeUntil(double t, const TimeBase& base, const monitor::TetherEstimator& estimator, Recording& recording,
-               MeasurementIntake& intake)
+void takeUntil(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator, Recording& recording,
+               InputAdapter& adapter)
 {
   const auto covered = [&](int stream)
   {
@@ -263,13 +262,13 @@ void takeUntil(double t, const TimeBase& base, const monitor::TetherEstimator& e
       {
         if (base.seconds(input.arrival()) > t)
           break;
-        takeNext(recording, static_cast<Stream>(stream), intake);
+        takeNext(recording, static_cast<Stream>(stream), adapter);
         continue;
       }
       const double stamp = base.seconds(input.stamp);
       if (stamp > t && (covered(stream) || stamp > t + estimator.config().pose_timeout))
         break;
-      takeNext(recording, static_cast<Stream>(stream), intake);
+      takeNext(recording, static_cast<Stream>(stream), adapter);
     }
 }
 
@@ -299,7 +298,7 @@ std::pair<ros::Time, ros::Time> poseSpan(const Recording& recording, Stream body
 
 std::vector<std::string> replayBag(const std::string& path, const std::string& ns,
                                    const replay::ReplayOptions& options, monitor::TetherEstimator& estimator,
-                                   replay::Recorder& recorder)
+                                   replay::ResultRecorder& recorder)
 {
   Recording recording;
   const bool free_vehicle = estimator.isVehicleFree(), observed = estimator.isVehicleObserved();
@@ -309,16 +308,16 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   const double tolerance = estimator.config().pose_timeout;
   const auto vessel = poseSpan(recording, VESSEL_STREAM, tolerance);
   const auto vehicle = poseSpan(recording, VEHICLE_STREAM, tolerance);
-  const TimeBase base(free_vehicle ? vessel.first : std::min(vessel.first, vehicle.first));
-  MeasurementIntake intake(estimator, recording.transforms);
-  intake.setTimeBase(base);
+  const TimeOrigin base(free_vehicle ? vessel.first : std::min(vessel.first, vehicle.first));
+  InputAdapter adapter(estimator, recording.transforms);
+  adapter.setTimeBase(base);
   estimator.setEpoch(base.epoch());
 
   // Start when both bodies are known.
   for (const Stream body : observed ? std::vector<Stream>() : bodiesNeeded(free_vehicle))
     while (recording.next[body] < recording.inputs[body].size() &&
            !(body == VESSEL_STREAM ? estimator.vesselTrack() : estimator.vehicleTrack()).hasPose())
-      takeNext(recording, body, intake);
+      takeNext(recording, body, adapter);
   if (!observed && (!estimator.vesselTrack().hasPose() || !(free_vehicle || estimator.vehicleTrack().hasPose())))
   {
     std::string text = "the bag " + path + ": every pose of a body was refused";
@@ -341,21 +340,21 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
     for (int part = i == 0 ? parts : 1; part <= parts; ++part)
     {
       const double t = begin + (i - 1 + static_cast<double>(part) / parts) / rate;
-      takeUntil(t, base, estimator, recording, intake);
-      recorder.beginStep();
+      takeUntil(t, base, estimator, recording, adapter);
+      recorder.startTimer();
       if (i == 0 && !observed)
         estimator.beginFromTracks(t);
       else
         estimator.tick(t);
-      recorder.endStep();
-      recorder.observe(estimator);
+      recorder.stopTimer();
+      recorder.accumulate(estimator);
     }
-    recorder.write(estimator);
+    recorder.writeRow(estimator);
     if (options.progress)
       options.progress((i + 1.0) / outputs);
   }
   // What is left is looked at too: a stray stamp must not go unnoticed.
-  takeUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, intake);
+  takeUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, adapter);
   return warningsOf(recording);
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tether_monitor/ros/conversions.h"
+#include "tether_monitor/ros/message_conversions.h"
 
 namespace tether_monitor
 {
@@ -57,8 +57,8 @@ void diagnoseObserver(const monitor::TetherEstimator& estimator,
                       diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const monitor::TetherEstimate& e = estimator.estimate();
-  const monitor::InnovationReport& innovations = estimator.observer().innovations();
-  if (estimator.observer().isOverstretched())
+  const monitor::InnovationStatistics& innovations = estimator.observer().innovations();
+  if (estimator.observer().exceedsTetherLength())
     status.add("Reach",
                "The measured ends are farther apart than the tether is long: deployed length, positions or "
                "both are wrong.");
@@ -69,16 +69,16 @@ void diagnoseObserver(const monitor::TetherEstimator& estimator,
               e.disturbance.y(), e.disturbance.z(), e.disturbance_stddev);
   status.addf("Of it, drag areas off by", "%.0f %%", 100.0 * estimator.observer().filter().dragError());
   status.add("Innovation, last [m]", innovations.last);
-  status.add("Innovations over their expected size [-]", innovations.scatter);
-  status.add("Bias of the innovations over chance [-]", innovations.bias);
-  status.addf("Measurements of the vehicle", "%ld believed, %ld refused as outliers, %ld re-acquired",
+  status.add("Innovations over their expected size [-]", innovations.noise_scale);
+  status.add("Bias of the innovations over chance [-]", innovations.normalized_innovation_mean);
+  status.addf("RecordedMeasurements of the vehicle", "%ld believed, %ld refused as outliers, %ld re-acquired",
               innovations.accepted, innovations.refused, innovations.reacquired);
-  status.add("Steps made again for late measurements", estimator.observer().repeatedSteps());
+  status.add("Steps made again for late measurements", estimator.observer().replayedSteps());
   status.add("Outliers of the vessel's motion", estimator.vesselFilter().outliers());
 }
 }  // namespace
 
-void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& facts,
+void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& facts,
               diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   using Level = diagnostic_msgs::DiagnosticStatus;
@@ -91,9 +91,9 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& 
   else
     status.summaryf(level, "%s: %s", describe(e.status), describe(e.reason));
   for (const monitor::Alarm& alarm : estimator.alarms().alarms())
-    if (alarm.isRaised())
+    if (alarm.isAnnunciated())
       status.mergeSummary(alarm.definition().severity == monitor::Severity::WARNING ? Level::WARN : Level::ERROR,
-                          describeForPerson(alarm));
+                          alarmText(alarm));
   if (e.reason != monitor::Reason::NONE)
     status.add("Likely cause and advice", advice(e.reason));
   if (estimator.isVehicleObserved())
@@ -141,7 +141,7 @@ void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_update
     return;
   }
   status.summary(Level::OK, "no resonance");
-  const core::Strumming& strumming = report.strumming;
+  const core::VortexShedding& strumming = report.strumming;
   if (strumming.length > 0.0)
   {
     status.summaryf(Level::WARN, "transverse vibration: %.0f m of tether may strum at %.2g to %.2g Hz",

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tether_monitor/ros/conversions.h"
+#include "tether_monitor/ros/message_conversions.h"
 
 namespace tether_monitor
 {
@@ -58,8 +58,8 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator
   {
     m.points.push_back(pointMessage(e.stations.position[i]));
     const int element = std::min(static_cast<int>(i / 2), estimator.model().elements() - 1);
-    m.colors.push_back(
-        utilisationColour(e.stations.tension[i] / estimator.model().propertiesOf(element).working_load, warning));
+    m.colors.push_back(utilisationColour(
+        e.stations.tension[i] / estimator.model().elementProperties(element).working_load, warning));
   }
   return m;
 }
@@ -109,9 +109,9 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   m.text = text;
   m.color = e.status == monitor::Status::OK ? colour(0.9, 0.95, 0.9) : colour(1.0, 0.8, 0.2);
   for (const monitor::Alarm& alarm : alarms.alarms())
-    if (alarm.isRaised())
+    if (alarm.isAnnunciated())
     {
-      m.text += "\n" + alarm.definition().name + ": " + lifeForPerson(alarm.state());
+      m.text += "\n" + alarm.definition().name + ": " + alarmStateText(alarm.state());
       m.color = colour(1.0, 0.35, 0.3);
     }
   return m;

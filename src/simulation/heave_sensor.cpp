@@ -8,7 +8,7 @@ HeaveSensor::HeaveSensor(const HeavePlan& plan, unsigned seed) : plan_(plan), ge
 {
 }
 
-std::optional<double> HeaveSensor::look(double t, const monitor::BodyState& truth)
+std::optional<double> HeaveSensor::sample(double t, const monitor::BodyState& truth)
 {
   if (!(plan_.rate > 0.0) || t < next_ - 1e-9)
     return std::nullopt;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tether_monitor/core/bounds.h"
+#include "tether_monitor/core/base/bounds_check.h"
 
 namespace tether_monitor::simulation
 {
@@ -10,7 +10,7 @@ namespace
 {
 constexpr double FASTEST_WINCH = 3.0;  // [m/s]
 
-void checkSensor(const std::string& prefix, const SensorPlan& sensor, std::vector<std::string>& all)
+void checkSensor(const std::string& prefix, const SensorModel& sensor, std::vector<std::string>& all)
 {
   core::BoundsCheck check(prefix);
   check.within("rate", sensor.rate, 0.01, 1000.0, "Hz");
@@ -20,10 +20,10 @@ void checkSensor(const std::string& prefix, const SensorPlan& sensor, std::vecto
   check.within("dropout", sensor.dropout, 0.0, 1.0, "[-]");
   check.within("outlier", sensor.outlier, 0.0, 1.0, "[-]");
   check.notNegative("outlier_size", sensor.outlier_size, "m");
-  check.require(sensor.outlier_least >= 0.0 && sensor.outlier_least <= sensor.outlier_size, "outlier_least",
-                sensor.outlier_least, ">= 0 and <= outlier_size, in m");
+  check.check(sensor.outlier_min >= 0.0 && sensor.outlier_min <= sensor.outlier_size, "outlier_min",
+              sensor.outlier_min, ">= 0 and <= outlier_size, in m");
   check.notNegative("latency", sensor.latency, "s");
-  check.require(sensor.gap_to >= sensor.gap_from, "gap[1]", sensor.gap_to, ">= gap[0], in s");
+  check.check(sensor.gap_to >= sensor.gap_from, "gap[1]", sensor.gap_to, ">= gap[0], in s");
   all.insert(all.end(), check.problems().begin(), check.problems().end());
 }
 
@@ -42,10 +42,10 @@ void checkWaypoints(const std::string& prefix, const std::vector<Waypoint>& wayp
 }
 }  // namespace
 
-std::vector<std::string> problems(const SimulationConfig& c)
+std::vector<std::string> validate(const SimulationConfig& c)
 {
-  std::vector<std::string> all = problems(c.vessel.ship);
-  const std::vector<std::string> body = core::problems(c.vehicle.body, "simulation.vehicle.");
+  std::vector<std::string> all = validate(c.vessel.ship);
+  const std::vector<std::string> body = core::validate(c.vehicle.body, "simulation.vehicle.");
   all.insert(all.end(), body.begin(), body.end());
   checkWaypoints("simulation.vessel.", c.vessel.waypoints, c.vessel.acceptance, all);
   checkWaypoints("simulation.vehicle.", c.vehicle.waypoints, c.vehicle.acceptance, all);
@@ -67,11 +67,11 @@ std::vector<std::string> problems(const SimulationConfig& c)
   for (std::size_t i = 0; i < c.winch.size(); ++i)
   {
     const std::string name = "winch[" + std::to_string(i) + "].";
-    check.require(std::isfinite(c.winch[i].time) && (i == 0 || c.winch[i].time > c.winch[i - 1].time),
-                  (name + "time").c_str(), c.winch[i].time, "later than that of the order before, in s");
+    check.check(std::isfinite(c.winch[i].time) && (i == 0 || c.winch[i].time > c.winch[i - 1].time),
+                (name + "time").c_str(), c.winch[i].time, "later than that of the order before, in s");
     check.positive((name + "length").c_str(), c.winch[i].length, "m");
-    check.require(c.winch[i].rate > 0.0 && c.winch[i].rate <= FASTEST_WINCH, (name + "rate").c_str(),
-                  c.winch[i].rate, "> 0 and <= 3 m/s");
+    check.check(c.winch[i].rate > 0.0 && c.winch[i].rate <= FASTEST_WINCH, (name + "rate").c_str(),
+                c.winch[i].rate, "> 0 and <= 3 m/s");
   }
   all.insert(all.end(), check.problems().begin(), check.problems().end());
   return all;

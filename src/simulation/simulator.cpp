@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tether_monitor/core/bounds.h"
-#include "tether_monitor/core/cable_forces.h"
-#include "tether_monitor/core/statics.h"
+#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/base/bounds_check.h"
+#include "tether_monitor/core/solve/steady_state_solver.h"
 
 namespace tether_monitor::simulation
 {
@@ -14,11 +14,11 @@ namespace
 {
 core::CableModel checkedModel(const monitor::Config& config, const SimulationConfig& simulation)
 {
-  std::vector<std::string> faults = problems(config);
-  for (const std::string& fault : problems(simulation))
+  std::vector<std::string> faults = validate(config);
+  for (const std::string& fault : validate(simulation))
     faults.push_back(fault);
-  core::throwIfAny("scenario", faults);
-  return core::CableModel(config.tether, config.elements, config.environment, config.fittings);
+  core::throwIfInvalid("scenario", faults);
+  return core::CableModel(config.tether, config.elements, config.environment, config.layout);
 }
 }  // namespace
 
@@ -31,19 +31,19 @@ Simulator::Simulator(const monitor::Config& config, const SimulationConfig& simu
 void Simulator::start()
 {
   const VesselPlan& plan = simulation_.vessel;
-  core::RigidBody ship = shipLike(plan.ship, config_.environment.water_density);
+  core::RigidBody ship = makeBoxShip(plan.ship, config_.environment.water_density);
   ship.attachment = config_.vessel.attachment;
   core::RigidBody body = simulation_.vehicle.body;
   body.attachment = config_.vehicle.attachment;
 
-  core::Rotation turned;
+  core::AttitudeState turned;
   turned.orientation = Eigen::AngleAxisd(plan.heading, core::Vector3::UnitZ());
   const core::Vector3 velocity = plan.speed * (turned.orientation * core::Vector3::UnitX());
-  const core::Vector3 centre(plan.start.x(), plan.start.y(), restingHeight(plan.ship));
+  const core::Vector3 centre(plan.start.x(), plan.start.y(), equilibriumHeight(plan.ship));
   core::SteadyEnds ends;
   ends.vessel = centre + turned.orientation * ship.attachment;
   ends.velocity = velocity;
-  const bool holds = simulation_.vehicle.control == VehicleControl::HOLD;
+  const bool holds = simulation_.vehicle.control == VehicleControl::STATION_KEEPING;
   ends.vehicle = simulation_.vehicle.start + body.attachment;
   if (simulation_.vehicle.control == VehicleControl::THRUST)
   {
@@ -53,19 +53,19 @@ void Simulator::start()
   if (!holds)
     model_.setBodies({std::nullopt, body});
   core::NodeField shape;
-  core::Statics statics(model_.nodes());
+  core::SteadyStateSolver statics(model_.nodes());
   const core::SolveReport found = statics.solve(model_, ends, shape);
   if (!found.converged())
     throw std::runtime_error(std::string("the scenario has no steady state to start from: ") +
                              core::describe(found.status));
   state_ = core::CableState(0.0, shape, velocity);
   state_.vessel = turned;
-  core::beginContact(model_, state_);
+  core::initializeContact(model_, state_);
   if (holds)
   {
     const core::AttachmentMotion at{ends.vehicle, velocity, core::Vector3::Zero()};
-    core::Sea calm = model_.sea();
-    calm.calm();
+    core::EnvironmentModel calm = model_.sea();
+    calm.withoutWaves();
     const core::Vector3 others = core::steadyForce(body, calm, at.position, velocity);
     pilot_.emplace(simulation_.vehicle, -others - core::endForces(model_, state_).vehicle);
   }
@@ -87,10 +87,10 @@ monitor::BodyState Simulator::vehicle() const
   return monitor::BodyState::ofNode(state_, state_.q.size() - 1, state_.vehicle, config_.vehicle.attachment);
 }
 
-core::PayoutPath Simulator::orderedPayout(double dt)
+core::PayoutTrajectory Simulator::orderedPayout(double dt)
 {
-  const WinchOrder* order = nullptr;
-  for (const WinchOrder& candidate : simulation_.winch)
+  const WinchCommand* order = nullptr;
+  for (const WinchCommand& candidate : simulation_.winch)
     if (candidate.time <= state_.time)
       order = &candidate;
   const double left = order ? order->length - model_.length() : 0.0;
@@ -101,8 +101,8 @@ core::PayoutPath Simulator::orderedPayout(double dt)
   const double before = winch_rate_;
   winch_rate_ = before + std::clamp(wanted - before, -a * dt, a * dt);
   const double length = model_.length() + 0.5 * dt * (before + winch_rate_);
-  return core::PayoutPath::between(state_.time, {model_.length(), before, 0.0}, state_.time + dt,
-                                   {length, winch_rate_, 0.0});
+  return core::PayoutTrajectory::between(state_.time, {model_.length(), before, 0.0}, state_.time + dt,
+                                         {length, winch_rate_, 0.0});
 }
 
 bool Simulator::advance(double t)
@@ -110,20 +110,20 @@ bool Simulator::advance(double t)
   while (state_.time < t - 1e-9)
   {
     const double dt = std::min(STEP, t - state_.time);
-    core::EndPaths drive;
+    core::BoundaryConditions drive;
     drive.vessel_thrust = helmsman_->steer(vessel(), dt);
     if (pilot_)
       vehicle_thrust_ = pilot_->steer(vehicle(), dt);
     drive.vehicle_thrust = vehicle_thrust_;
     if (hasWinch())
     {
-      const core::PayoutPath path = orderedPayout(dt);
-      if (model_.canPayTo(path.at(state_.time + dt).length))
+      const core::PayoutTrajectory path = orderedPayout(dt);
+      if (model_.canRepresentLength(path.at(state_.time + dt).length))
         drive.payout = path;
       else
       {
         winch_rate_ = 0.0;
-        drive.payout = core::PayoutPath::constant(model_.length());
+        drive.payout = core::PayoutTrajectory::constant(model_.length());
       }
     }
     if (!stepper_->advance(model_, drive, state_.time + dt, state_).converged())

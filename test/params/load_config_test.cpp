@@ -1,5 +1,5 @@
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/params/depth_grid.h"
+#include "tether_monitor/files/depth_grid_file.h"
 #include "tether_monitor/params/load_simulation.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tether_monitor/params/reader.h"
+#include "tether_monitor/params/parameter_reader.h"
 #include "tether_monitor/params/yaml_file.h"
 
 namespace tether_monitor::params
@@ -32,9 +32,9 @@ std::vector<std::string> faultsOf(const Value& value)
     loadConfig(value, "/test");
     return {};
   }
-  catch (const ParamError& error)
+  catch (const ParameterError& error)
   {
-    return error.faults();
+    return error.errors();
   }
 }
 }  // namespace
@@ -169,7 +169,7 @@ TEST(DepthGrid, IsReadInAnyOrderAndItsFaultsAreNamed)
   const std::string path = ::testing::TempDir() + "/depths.csv";
   const auto write = [&](const char* text) { std::ofstream(path) << text; };
   write("x,y,depth\n10,5,52\n0,0,50\n10,0,51\n0,5,53\n");
-  const core::DepthGrid grid = readDepthGrid(path);
+  const core::DepthGrid grid = files::readDepthGrid(path);
   EXPECT_EQ(grid.dx, 10.0);
   EXPECT_EQ(grid.dy, 5.0);
   EXPECT_EQ(grid.depth(1, 0), 51.0);
@@ -179,11 +179,11 @@ TEST(DepthGrid, IsReadInAnyOrderAndItsFaultsAreNamed)
                           "x,y,depth\n0,0,1\n1,0,1\n5,0,1\n0,1,1\n1,1,1\n5,1,1\n", "x,y,depth\n"})
   {
     write(bad);
-    EXPECT_THROW(readDepthGrid(path), std::runtime_error) << bad;
+    EXPECT_THROW(files::readDepthGrid(path), std::runtime_error) << bad;
   }
-  EXPECT_THROW(readDepthGrid("/nowhere/at/all.csv"), std::runtime_error);
-  EXPECT_EQ(fileBeside("/config", "grid.csv"), "/config/grid.csv");
-  EXPECT_EQ(fileBeside("/config", "/data/grid.csv"), "/data/grid.csv");
+  EXPECT_THROW(files::readDepthGrid("/nowhere/at/all.csv"), std::runtime_error);
+  EXPECT_EQ(files::fileBeside("/config", "grid.csv"), "/config/grid.csv");
+  EXPECT_EQ(files::fileBeside("/config", "/data/grid.csv"), "/data/grid.csv");
 }
 
 TEST(LoadConfig, SectionsTakeFromTheTetherWhatTheyDoNotSay)
@@ -193,12 +193,12 @@ TEST(LoadConfig, SectionsTakeFromTheTetherWhatTheyDoNotSay)
   keys["attachments"] = Value::List{
       Value(Value::Map{{"name", std::string("float")}, {"s", 200.0}, {"mass", 5.0}, {"volume", 0.02}})};
   const monitor::Config c = loadConfig(tree(keys), "/test");
-  ASSERT_EQ(c.fittings.sections.size(), 1u);
-  EXPECT_EQ(c.fittings.sections[0].properties.diameter, 0.05);
-  EXPECT_EQ(c.fittings.sections[0].properties.mass_per_length, 1.43);
-  ASSERT_EQ(c.fittings.attachments.size(), 1u);
-  EXPECT_EQ(c.fittings.attachments[0].name, "float");
-  EXPECT_EQ(c.fittings.attachments[0].volume, 0.02);
+  ASSERT_EQ(c.layout.sections.size(), 1u);
+  EXPECT_EQ(c.layout.sections[0].properties.diameter, 0.05);
+  EXPECT_EQ(c.layout.sections[0].properties.mass_per_length, 1.43);
+  ASSERT_EQ(c.layout.attachments.size(), 1u);
+  EXPECT_EQ(c.layout.attachments[0].name, "float");
+  EXPECT_EQ(c.layout.attachments[0].volume, 0.02);
 
   keys["sections"] = Value::List{Value(Value::Map{{"from", 0.0}, {"to", 500.0}, {"diametre", 0.05}})};
   EXPECT_EQ(faultsOf(tree(keys)), (std::vector<std::string>{"tether.sections[0].diametre is not a known parameter",
@@ -323,7 +323,7 @@ TEST(LoadSimulation, FaultsNameTheKey)
     loadSimulation(Value(all), "/test");
     FAIL() << "it was accepted";
   }
-  catch (const ParamError& error)
+  catch (const ParameterError& error)
   {
     for (const char* text :
          {"simulation.vessel.lenght is not a known parameter",

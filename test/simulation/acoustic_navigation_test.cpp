@@ -5,10 +5,10 @@
 #include <random>
 #include <vector>
 
-#include "scenario.h"
-#include "tether_monitor/monitor/tether_estimator.h"
+#include "support/scenario_files.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/simulation/heave_sensor.h"
-#include "tether_monitor/simulation/sensor.h"
+#include "tether_monitor/simulation/position_sensor.h"
 
 namespace tether_monitor::simulation
 {
@@ -23,7 +23,7 @@ struct Moment
   double tension = 0.0;
 };
 
-std::vector<Moment> play(const Scenario& scenario, double duration)
+std::vector<Moment> play(const ScenarioFile& scenario, double duration)
 {
   Simulator simulator(scenario.config, scenario.simulation);
   std::vector<Moment> moments;
@@ -59,7 +59,7 @@ struct Plan
 };
 
 // As the node does it, but every message arrives in time.
-Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsigned seed, const Plan& when)
+Score observe(const ScenarioFile& scenario, const std::vector<Moment>& moments, unsigned seed, const Plan& when)
 {
   const SimulationConfig& plan = scenario.simulation;
   Sensor satellites(plan.vessel_sensor, seed), acoustics(plan.vehicle_sensor, seed + 1);
@@ -69,8 +69,8 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
   bool alarmed = false;
   for (const Moment& now : moments)
   {
-    const auto positions = satellites.look(now.t, now.vessel), fixes = acoustics.look(now.t, now.vehicle);
-    const auto height = heave.look(now.t, now.vessel);
+    const auto positions = satellites.sample(now.t, now.vessel), fixes = acoustics.sample(now.t, now.vehicle);
+    const auto height = heave.sample(now.t, now.vessel);
     if (now.t < when.begin)
       continue;
     const bool is_lost = now.t > when.lost_from && now.t < when.lost_to;
@@ -87,7 +87,7 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
       estimator.addVehicle(measured(m.time, m.body, std::nan("")));
     const monitor::TetherEstimate& e = estimator.tick(now.t);
     for (const monitor::Alarm& alarm : estimator.alarms().alarms())
-      alarmed = alarmed || (alarm.isRaised() && alarm.definition().name.find("over_tension") == 0);
+      alarmed = alarmed || (alarm.isAnnunciated() && alarm.definition().name.find("over_tension") == 0);
     if (now.t < when.count_from)
       continue;
     invalid += e.status == monitor::Status::INVALID;
@@ -108,7 +108,7 @@ Score observe(const Scenario& scenario, const std::vector<Moment>& moments, unsi
 // The ship surges and pitches by a metre, seen five times a second; the drag is a fifth higher than told.
 TEST(AcousticNavigation, KnowsTheTensionInASeaway)
 {
-  const Scenario scenario("acoustic_navigation");
+  const ScenarioFile scenario("acoustic_navigation");
   const std::vector<Moment> moments = play(scenario, 350.0);
   double rms = 0.0, one = 0.0, two = 0.0;
   int runs = 0;
@@ -132,7 +132,7 @@ TEST(AcousticNavigation, KnowsTheTensionInASeaway)
 // It begins while the waves throw ship and tether into a motion that is far from any steady state.
 TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
 {
-  const Scenario scenario("acoustic_navigation");
+  const ScenarioFile scenario("acoustic_navigation");
   const std::vector<Moment> moments = play(scenario, 200.0);
   double rms = 0.0, two = 0.0;
   int runs = 0;
@@ -153,7 +153,7 @@ TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
 // The satellites fail for longer than the vehicle may go on: it looks at the waves anew before it says anything.
 TEST(AcousticNavigation, BeginsAnewAfterTheVesselWasLost)
 {
-  const Scenario scenario("acoustic_navigation");
+  const ScenarioFile scenario("acoustic_navigation");
   const std::vector<Moment> moments = play(scenario, 230.0);
   double rms = 0.0, two = 0.0;
   int runs = 0;

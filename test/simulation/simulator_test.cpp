@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "scenario.h"
-#include "tether_monitor/core/statics.h"
-#include "tether_monitor/simulation/sensor.h"
+#include "support/scenario_files.h"
+#include "tether_monitor/core/solve/steady_state_solver.h"
+#include "tether_monitor/simulation/position_sensor.h"
 
 namespace tether_monitor::simulation
 {
@@ -21,20 +21,20 @@ double yaw(const Eigen::Quaterniond& q)
 
 TEST(Ship, FloatsAtItsDraftAndRightsItself)
 {
-  Scenario scenario("heave_in_waves");
+  ScenarioFile scenario("heave_in_waves");
   scenario.config.environment.waves.amplitude = 0.0;
   scenario.config.environment.wind.setZero();
   Simulator simulator(scenario.config, scenario.simulation);
   ASSERT_TRUE(simulator.advance(60.0));
   // The weight hangs over the side: it heels and sinks a little, and stays.
-  EXPECT_NEAR(simulator.vessel().position.z(), restingHeight(scenario.simulation.vessel.ship), 0.15);
+  EXPECT_NEAR(simulator.vessel().position.z(), equilibriumHeight(scenario.simulation.vessel.ship), 0.15);
   EXPECT_LT(std::abs(2.0 * simulator.vessel().orientation.x()), 0.1);
   EXPECT_LT(simulator.vessel().position.head<2>().norm(), 2.0) << "dynamic positioning";
 }
 
 TEST(Scenarios, TowTurnsAndComesBackToTheSteadyTow)
 {
-  Scenario scenario("tow_and_turn");
+  ScenarioFile scenario("tow_and_turn");
   Simulator simulator(scenario.config, scenario.simulation);
   const double start = simulator.endForces().vessel.norm();
   ASSERT_TRUE(simulator.advance(60.0));
@@ -55,7 +55,7 @@ TEST(Scenarios, TowTurnsAndComesBackToTheSteadyTow)
 
 TEST(Scenarios, HeaveInWavesSwingsTheTensionAboutTheWeight)
 {
-  Scenario scenario("heave_in_waves");
+  ScenarioFile scenario("heave_in_waves");
   Simulator simulator(scenario.config, scenario.simulation);
   const double weight = 9.81 * (1500.0 - 1025.0 * 0.25);
   double least = INFINITY, most = 0.0, heave = 0.0;
@@ -77,7 +77,7 @@ TEST(Scenarios, HeaveInWavesSwingsTheTensionAboutTheWeight)
 
 TEST(Scenarios, TheRovDrawsItsTetherRoundThePile)
 {
-  Scenario scenario("rov_and_pile");
+  ScenarioFile scenario("rov_and_pile");
   Simulator simulator(scenario.config, scenario.simulation);
   core::ContactSummary contact;
   contact.obstacles.resize(1);
@@ -85,7 +85,7 @@ TEST(Scenarios, TheRovDrawsItsTetherRoundThePile)
   for (double t = 0.0; t < 180.0; t += 0.5)
   {
     ASSERT_TRUE(simulator.advance(t)) << t;
-    core::summariseContact(simulator.model(), simulator.state(), contact);
+    core::summarizeContact(simulator.model(), simulator.state(), contact);
     pressed = std::max(pressed, contact.obstacles[0].force.norm());
     on_floor = std::max(on_floor, contact.seabed_length);
     const double speed = simulator.vehicle().velocity.norm();
@@ -98,7 +98,7 @@ TEST(Scenarios, TheRovDrawsItsTetherRoundThePile)
 
 TEST(Scenarios, PayOutAndRecoveryEndWhereTheyBegan)
 {
-  Scenario scenario("payout_and_recovery");
+  ScenarioFile scenario("payout_and_recovery");
   Simulator simulator(scenario.config, scenario.simulation);
   const double start = simulator.endForces().vessel.norm();
   ASSERT_TRUE(simulator.advance(70.0));
@@ -113,7 +113,7 @@ TEST(Scenarios, PayOutAndRecoveryEndWhereTheyBegan)
 
 TEST(Simulator, ListsEveryProblem)
 {
-  Scenario scenario("tow_and_turn");
+  ScenarioFile scenario("tow_and_turn");
   scenario.config.tether.diameter = -1.0;
   scenario.simulation.vessel.ship.beam = 0.1;
   scenario.simulation.vehicle_sensor.dropout = 2.0;
@@ -131,7 +131,7 @@ TEST(Simulator, ListsEveryProblem)
 
 TEST(Sensor, HasTheNoiseRateAndLossesOfItsPlan)
 {
-  SensorPlan plan;
+  SensorModel plan;
   plan.rate = 10.0;
   plan.position_stddev = 0.3;
   plan.velocity_stddev = 0.05;
@@ -147,8 +147,8 @@ TEST(Sensor, HasTheNoiseRateAndLossesOfItsPlan)
   for (int k = 0; k < 40000; ++k)
   {
     const double t = 0.025 * k;
-    const auto arrived = sensor.look(t, truth);
-    const auto also = twin.look(t, truth);
+    const auto arrived = sensor.sample(t, truth);
+    const auto also = twin.sample(t, truth);
     ASSERT_EQ(arrived.size(), also.size());
     for (std::size_t i = 0; i < arrived.size(); ++i)
     {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tether_monitor/monitor/config.h"
-#include "tether_monitor/params/reader.h"
-#include "tether_monitor/params/value.h"
+#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/params/parameter_reader.h"
+#include "tether_monitor/params/parameter_value.h"
 
 namespace tether_monitor::params
 {
@@ -12,7 +12,7 @@ namespace tether_monitor::params
  * @param tree   the whole tree.
  * @param where  named in errors: a file or a namespace.
  * @param folder  from which file names in the tree are counted; empty: the working folder.
- * @throws ParamError listing every missing, misspelt, misshapen and out-of-range key.
+ * @throws ParameterError listing every missing, misspelt, misshapen and out-of-range key.
  */
 monitor::Config loadConfig(const Value& tree, const std::string& where, const std::string& folder = "");
 
@@ -20,6 +20,6 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
 monitor::Config loadConfigFile(const std::string& path);
 
 /// The constants of a simulated body among the keys of `in`, faults collected there. Its attachment is not read.
-core::RigidBody loadRigidBody(Reader& in);
+core::RigidBody loadRigidBody(ParameterReader& in);
 
 }  // namespace tether_monitor::params

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tether_monitor/params/value.h"
+#include "tether_monitor/params/parameter_value.h"
 #include "tether_monitor/simulation/simulation_config.h"
 
 namespace tether_monitor::params
@@ -12,7 +12,7 @@ namespace tether_monitor::params
  *
  * @param tree   the whole tree.
  * @param where  named in errors: a file or a namespace.
- * @throws ParamError listing every missing, misspelt, misshapen and out-of-range key.
+ * @throws ParameterError listing every missing, misspelt, misshapen and out-of-range key.
  */
 simulation::SimulationConfig loadSimulation(const Value& tree, const std::string& where);
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tether_monitor/params/value.h"
+#include "tether_monitor/params/parameter_value.h"
 
 namespace tether_monitor::params
 {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "tether_monitor/monitor/tether_estimator.h"
-#include "tether_monitor/replay/recorder.h"
-#include "tether_monitor/replay/replay_run.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/replay/csv_replay.h"
+#include "tether_monitor/replay/result_recorder.h"
 
 namespace tether_monitor
 {
@@ -20,6 +20,6 @@ namespace tether_monitor
  */
 std::vector<std::string> replayBag(const std::string& path, const std::string& ns,
                                    const replay::ReplayOptions& options, monitor::TetherEstimator& estimator,
-                                   replay::Recorder& recorder);
+                                   replay::ResultRecorder& recorder);
 
 }  // namespace tether_monitor

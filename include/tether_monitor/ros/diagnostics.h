@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "tether_monitor/monitor/vibration_report.h"
+#include "tether_monitor/monitor/estimate/vibration_report.h"
 
 namespace tether_monitor
 {
@@ -17,7 +17,7 @@ struct RefusalCount
 };
 
 /// What the diagnostics need besides the estimator.
-struct DiagnosticFacts
+struct DiagnosticInputs
 {
   std::map<std::string, RefusalCount> refusals;  ///< by topic.
   double worst_step_time = 0.0;                  ///< [s] since the start.
@@ -29,7 +29,7 @@ struct DiagnosticFacts
 std::string advice(monitor::Reason reason);
 
 /// Fills a status with level, summary, numbers, likely cause and advice.
-void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticFacts& facts,
+void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& facts,
               diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Fills a status with natural frequencies and what excites them; WARN on resonance with the waves or strumming.

@@ -3,7 +3,7 @@
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "tether_monitor/monitor/tether_estimator.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
 
 namespace tether_monitor
 {

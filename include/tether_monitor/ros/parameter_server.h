@@ -2,7 +2,7 @@
 
 #include <ros/node_handle.h>
 
-#include "tether_monitor/params/value.h"
+#include "tether_monitor/params/parameter_value.h"
 
 namespace tether_monitor
 {

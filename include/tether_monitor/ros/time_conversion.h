@@ -5,12 +5,12 @@
 namespace tether_monitor
 {
 /// Turns ROS times into seconds since an epoch and back. The only place where the two meet.
-class TimeBase
+class TimeOrigin
 {
  public:
-  TimeBase() = default;
+  TimeOrigin() = default;
   /// @param first  any time of the run; the epoch is the whole second before it.
-  explicit TimeBase(const ros::Time& first) : epoch_(first.sec, 0) {}
+  explicit TimeOrigin(const ros::Time& first) : epoch_(first.sec, 0) {}
 
   /// The epoch [s] of ROS time.
   double epoch() const { return epoch_.toSec(); }

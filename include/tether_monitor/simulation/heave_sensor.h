@@ -3,7 +3,7 @@
 #include <optional>
 #include <random>
 
-#include "tether_monitor/monitor/body_track.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
 #include "tether_monitor/simulation/simulation_config.h"
 
 namespace tether_monitor::simulation
@@ -15,7 +15,7 @@ class HeaveSensor
   HeaveSensor(const HeavePlan& plan, unsigned seed);
 
   /// Looks at the vessel at time t [s], increasing from call to call. @return its height [m], if one is due.
-  std::optional<double> look(double t, const monitor::BodyState& truth);
+  std::optional<double> sample(double t, const monitor::BodyState& truth);
 
  private:
   HeavePlan plan_;

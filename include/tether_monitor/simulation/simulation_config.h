@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tether_monitor/core/rigid_body.h"
-#include "tether_monitor/simulation/ship.h"
+#include "tether_monitor/core/bodies/rigid_body.h"
+#include "tether_monitor/simulation/box_ship.h"
 
 namespace tether_monitor::simulation
 {
@@ -30,9 +30,9 @@ struct VesselPlan
 /// What drives the simulated vehicle.
 enum class VehicleControl
 {
-  NONE,    ///< towed: only its constant force.
-  THRUST,  ///< a constant thrust in its own axes.
-  HOLD     ///< a pilot who takes it from waypoint to waypoint and keeps it there.
+  NONE,            ///< towed: only its constant force.
+  THRUST,          ///< a constant thrust in its own axes.
+  STATION_KEEPING  ///< a pilot who takes it from waypoint to waypoint and keeps it there.
 };
 
 /// The simulated vehicle and what it does.
@@ -40,15 +40,16 @@ struct VehiclePlan
 {
   core::RigidBody body;
   VehicleControl control = VehicleControl::NONE;
-  core::Vector3 start = core::Vector3::Zero();   ///< [m], with HOLD; else it hangs where the tether lets it.
+  core::Vector3 start =
+      core::Vector3::Zero();  ///< [m], with STATION_KEEPING; else it hangs where the tether lets it.
   core::Vector3 thrust = core::Vector3::Zero();  ///< [N], body axes, with THRUST.
-  double largest_thrust = 1000.0;                ///< [N], with HOLD, > 0.
-  std::vector<Waypoint> waypoints;               ///< with HOLD.
+  double largest_thrust = 1000.0;                ///< [N], with STATION_KEEPING, > 0.
+  std::vector<Waypoint> waypoints;               ///< with STATION_KEEPING.
   double acceptance = 1.0;                       ///< [m], > 0.
 };
 
 /// From `time` on the winch goes to `length` at `rate`.
-struct WinchOrder
+struct WinchCommand
 {
   double time = 0.0;    ///< [s] since the start, increasing.
   double length = 0.0;  ///< [m], > 0.
@@ -56,7 +57,7 @@ struct WinchOrder
 };
 
 /// A sensor of a body: how often and how well it measures.
-struct SensorPlan
+struct SensorModel
 {
   double rate = 20.0;               ///< [Hz], > 0.
   double position_stddev = 0.0;     ///< [m], >= 0.
@@ -66,7 +67,7 @@ struct SensorPlan
   double dropout = 0.0;             ///< share of measurements that get lost [-], 0..1.
   double outlier = 0.0;             ///< share of positions that are `outlier_size` off [-], 0..1.
   double outlier_size = 10.0;       ///< [m], >= 0: the largest.
-  double outlier_least = 10.0;      ///< the smallest, evenly distributed in between [m], 0..outlier_size.
+  double outlier_min = 10.0;        ///< the smallest, evenly distributed in between [m], 0..outlier_size.
   double latency = 0.0;  ///< [s] from measurement to message, >= 0; the stamp is that of the measurement.
   double gap_from = 0.0, gap_to = 0.0;  ///< [s] since the start: nothing is measured in between.
 };
@@ -83,9 +84,9 @@ struct SimulationConfig
 {
   VesselPlan vessel;
   VehiclePlan vehicle;
-  std::vector<WinchOrder> winch;
+  std::vector<WinchCommand> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
-  SensorPlan vessel_sensor, vehicle_sensor;
+  SensorModel vessel_sensor, vehicle_sensor;
   HeavePlan heave;                 ///< with it, the vessel's measurements are told as odometry with covariance.
   double payout_rate = 10.0;       ///< reports of the winch per second [Hz]; 0: none.
   double payout_stddev = 0.0;      ///< [m], >= 0.
@@ -96,6 +97,6 @@ struct SimulationConfig
 };
 
 /// Every bound of SimulationConfig that `config` violates, one sentence each, named as in the parameter tree.
-std::vector<std::string> problems(const SimulationConfig& config);
+std::vector<std::string> validate(const SimulationConfig& config);
 
 }  // namespace tether_monitor::simulation

@@ -3,12 +3,12 @@
 #include <memory>
 #include <optional>
 
-#include "tether_monitor/core/cable_forces.h"
-#include "tether_monitor/core/cable_model.h"
-#include "tether_monitor/core/stepper.h"
-#include "tether_monitor/monitor/body_track.h"
-#include "tether_monitor/monitor/config.h"
-#include "tether_monitor/simulation/pilot.h"
+#include "tether_monitor/core/assembly/cable_model.h"
+#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/solve/adaptive_stepper.h"
+#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/simulation/vessel_autopilot.h"
 
 namespace tether_monitor::simulation
 {
@@ -40,7 +40,7 @@ class Simulator
   /// Reference points: centres of mass.
   monitor::BodyState vessel() const;
   monitor::BodyState vehicle() const;
-  core::PayoutMotion payout() const { return {model_.length(), winch_rate_, 0.0}; }
+  core::PayoutState payout() const { return {model_.length(), winch_rate_, 0.0}; }
   const core::Wrench& vehicleThrust() const { return vehicle_thrust_; }
   /// Forces of the tether on its ends [N].
   core::EndForces endForces() const { return core::endForces(model_, state_); }
@@ -51,15 +51,15 @@ class Simulator
 
  private:
   void start();
-  core::PayoutPath orderedPayout(double dt);
+  core::PayoutTrajectory orderedPayout(double dt);
 
   monitor::Config config_;
   SimulationConfig simulation_;
   core::CableModel model_;
   core::CableState state_;
-  std::optional<core::Stepper> stepper_;
-  std::optional<Helmsman> helmsman_;
-  std::optional<VehiclePilot> pilot_;
+  std::optional<core::AdaptiveStepper> stepper_;
+  std::optional<VesselAutopilot> helmsman_;
+  std::optional<VehicleAutopilot> pilot_;
   core::Wrench vehicle_thrust_;
   double winch_rate_ = 0.0;  // [m/s]
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "coords.h"
 #include "laws.h"
+#include "nodal_coordinates.h"
 
 // The equations of an element, (M1)-(M11) and (M24) of doc/model.md, for W elements at once. Inside, slopes are
 // multiplied by the element's length: then the shape functions are the same numbers for all elements.
@@ -25,7 +25,7 @@ struct PointTangent
 template <int W, Task TASK>
 TM_INLINE void elements(const ElementBlock& in, int first, int count)
 {
-  using V = typename Pack<W>::Vector;
+  using V = typename Simd<W>::Vector;
   constexpr bool TANGENT = TASK != Task::RESIDUALS;
   constexpr bool COMPLETE = TASK == Task::COMPLETE;
   const auto constant = [&](Constant row) { return load<W>(in.constants + row * BLOCK + first); };
@@ -62,33 +62,34 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 3
   for (int g = 0; g < POINTS; ++g)
   {
-    const V weight = SHAPE.weight[g] * length;
+    const V weight = HERMITE.weight[g] * length;
     V r[3], t[3], rate[3], velocity[3], acceleration[3], f[3];
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
     {
-      r[k] = at(SHAPE.H[g], q, k);
-      t[k] = inverse_length * slopeAt(SHAPE.G[g], q, k);
-      rate[k] = inverse_length * slopeAt(SHAPE.G[g], v, k);
-      velocity[k] = at(SHAPE.H[g], v, k);
-      acceleration[k] = at(SHAPE.H[g], a, k);
+      r[k] = at(HERMITE.N[g], q, k);
+      t[k] = inverse_length * slopeAt(HERMITE.dN[g], q, k);
+      rate[k] = inverse_length * slopeAt(HERMITE.dN[g], v, k);
+      velocity[k] = at(HERMITE.N[g], v, k);
+      acceleration[k] = at(HERMITE.N[g], a, k);
       f[k] = V{};
     }
     V flow_speed{};
-    if (in.has_flow)
+    if (in.has_transport)
     {
       // The tether runs through the mesh, (M24).
-      const V growth = constant(FLOW_GROWTH);
-      const V speed_a = constant(FLOW_SPEED_A), rate_a = constant(FLOW_RATE_A);
-      flow_speed = speed_a + SHAPE.xi[g] * (constant(FLOW_SPEED_B) - speed_a);
-      const V flow_rate = rate_a + SHAPE.xi[g] * (constant(FLOW_RATE_B) - rate_a);
+      const V growth = constant(TRANSPORT_GROWTH);
+      const V speed_a = constant(TRANSPORT_SPEED_A), rate_a = constant(TRANSPORT_RATE_A);
+      flow_speed = speed_a + HERMITE.xi[g] * (constant(TRANSPORT_SPEED_B) - speed_a);
+      const V flow_rate = rate_a + HERMITE.xi[g] * (constant(TRANSPORT_RATE_B) - rate_a);
       for (int k = 0; k < 3; ++k)
       {
-        const V spread_slope = slopesAlone(SHAPE.H[g], q, k);
-        const V turn = rate[k] + growth * (inverse_length * slopesAlone(SHAPE.G[g], q, k) - t[k]);
-        const V curvature = inverse_length * inverse_length * slopeAt(SHAPE.C[g], q, k);
-        const V extra = 2.0 * growth * slopesAlone(SHAPE.H[g], v, k) + constant(FLOW_ACCELERATION) * spread_slope +
-                        flow_rate * t[k] + 2.0 * flow_speed * turn + flow_speed * flow_speed * curvature;
+        const V spread_slope = slopesAlone(HERMITE.N[g], q, k);
+        const V turn = rate[k] + growth * (inverse_length * slopesAlone(HERMITE.dN[g], q, k) - t[k]);
+        const V curvature = inverse_length * inverse_length * slopeAt(HERMITE.ddN[g], q, k);
+        const V extra = 2.0 * growth * slopesAlone(HERMITE.N[g], v, k) +
+                        constant(TRANSPORT_ACCELERATION) * spread_slope + flow_rate * t[k] +
+                        2.0 * flow_speed * turn + flow_speed * flow_speed * curvature;
         velocity[k] += growth * spread_slope + flow_speed * t[k];
         rate[k] = turn + flow_speed * curvature;
         acceleration[k] += extra;
@@ -105,31 +106,31 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
     {
-      water_velocity[k] = table ? load<W>(table + (WATER_VELOCITY + k) * BLOCK) : spread<W>(sea.current[k]);
+      water_velocity[k] = table ? load<W>(table + (WATER_VELOCITY + k) * BLOCK) : broadcast<W>(sea.current[k]);
       water_acceleration[k] = table ? load<W>(table + (WATER_ACCELERATION + k) * BLOCK) : V{};
     }
     if (table)
       surface = load<W>(table + WATER_SURFACE * BLOCK);
-    const V extent = magnitude(t[2]) * weight + diameter, height = r[2] - surface;
-    V wet = spread<W>(1.0), wet_slope{};
+    const V extent = abs(t[2]) * weight + diameter, height = r[2] - surface;
+    V wet = broadcast<W>(1.0), wet_slope{};
     const bool emerges = any<W>(!(height < -0.5 * extent));
     if (emerges)
     {
-      const V x = smaller(larger(2.0 * height / extent, spread<W>(-1.0)), spread<W>(1.0));
+      const V x = min(max(2.0 * height / extent, broadcast<W>(-1.0)), broadcast<W>(1.0));
       wet = 0.5 + 0.25 * x * (x * x - 3.0);
       wet_slope = 1.5 * (1.0 - x * x) / extent;
     }
-    V shrunk = spread<W>(1.0), shrinking{};
+    V shrunk = broadcast<W>(1.0), shrinking{};
     if (in.has_compression)
     {
-      shrunk = r[2] < 0.0 ? larger(1.0 + compression * r[2], spread<W>(0.1)) : spread<W>(1.0);
+      shrunk = r[2] < 0.0 ? max(1.0 + compression * r[2], broadcast<W>(0.1)) : broadcast<W>(1.0);
       shrinking = r[2] < 0.0 ? 2.0 * compression / shrunk : V{};
     }
     const V displaced = rho_area * shrunk * shrunk;
     f[2] += sea.gravity * (mass - displaced * wet);
 
     // Added mass (M10) and drag (M9).
-    const V inverse_square = 1.0 / larger(square, spread<W>(1e-24));
+    const V inverse_square = 1.0 / max(square, broadcast<W>(1e-24));
     const V added = displaced * added_mass * wet, moved = displaced * wet;
     V pushed[3], u[3];
 #pragma GCC unroll 3
@@ -161,10 +162,10 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k)
     {
-      const V load_f = weight * f[k], load_n = SHAPE.axial[g] * pull.N * t[k];
+      const V load_f = weight * f[k], load_n = HERMITE.axial[g] * pull.N * t[k];
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i)
-        R[i][k] += SHAPE.H[g][i] * load_f + SHAPE.G[g][i] * load_n;
+        R[i][k] += HERMITE.N[g][i] * load_f + HERMITE.dN[g][i] * load_n;
     }
 
     if constexpr (TANGENT)
@@ -182,19 +183,20 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
           V x = beta * t[row] * t[column] + gamma * water.across[row] * water.across[column];
           if (row == column)
             x += alpha;
-          out.f_r[entryOf(row, column)] = x;
+          out.f_r[packedIndex3(row, column)] = x;
         }
-      out.f_r[entryOf(2, 2)] += weight * in.stiffness * sea.gravity * displaced * (wet_slope - shrinking * wet);
+      out.f_r[packedIndex3(2, 2)] +=
+          weight * in.stiffness * sea.gravity * displaced * (wet_slope - shrinking * wet);
       if (blows)
         for (int row = 0; row < 3; ++row)
           for (int column = row; column < 3; ++column)
-            out.f_r[entryOf(row, column)] +=
+            out.f_r[packedIndex3(row, column)] +=
                 weight * in.damping *
                 (air.beta * t[row] * t[column] + air.gamma * air.across[row] * air.across[column] +
                  (row == column ? air.alpha : V{}));
 
       // dn/dr', over the square of the length.
-      axialTangent<COMPLETE>(pull, cable, t, rate, SHAPE.axial[g] * inverse_length, in.damping, in.stiffness,
+      axialTangent<COMPLETE>(pull, cable, t, rate, HERMITE.axial[g] * inverse_length, in.damping, in.stiffness,
                              out.n_dr);
       if constexpr (COMPLETE)
       {
@@ -213,7 +215,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
             x *= in.stiffness;
             if (row == column)
               x += 2.0 * in.damping * flow_speed * mass;
-            out.f_dr[3 * row + column] = SHAPE.weight[g] * x;
+            out.f_dr[3 * row + column] = HERMITE.weight[g] * x;
           }
       }
     }
@@ -230,9 +232,9 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
     {
       t[k] = inverse_length * q.x[2 * end + 1][k];
       rate[k] = inverse_length * v.x[2 * end + 1][k];
-      if (in.has_flow)
-        rate[k] += constant(end == 0 ? FLOW_SPEED_A : FLOW_SPEED_B) * inverse_length * inverse_length *
-                   slopeAt(SHAPE.C_node[end], q, k);
+      if (in.has_transport)
+        rate[k] += constant(end == 0 ? TRANSPORT_SPEED_A : TRANSPORT_SPEED_B) * inverse_length * inverse_length *
+                   slopeAt(HERMITE.ddN_node[end], q, k);
     }
     const Axial<V> pull = axial<W>(cable, t, rate, in.has_damping);
 #pragma GCC unroll 3
@@ -273,7 +275,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
       V sum[6];
 #pragma GCC unroll 6
       for (int k = 0; k < 6; ++k)
-        sum[k] = own[k] + fromBefore<W>(next[k]);
+        sum[k] = own[k] + shiftIn<W>(next[k]);
       scatter<W>(sum, rows[0], 8, W);
       double* node = in.residual + 6 * first;
       for (int k = 0; k < 6; ++k)
@@ -286,7 +288,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
     }
 
     // Sums over the points; the linear terms join on the diagonals. Slopes get their length back.
-    V scale[4] = {spread<W>(1.0), length, spread<W>(1.0), length};
+    V scale[4] = {broadcast<W>(1.0), length, broadcast<W>(1.0), length};
     V K[COMPLETE ? 16 : 10][COMPLETE ? 9 : 6];
 #pragma GCC unroll 4
     for (int i = 0; i < 4; ++i)
@@ -295,21 +297,21 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
       {
         const V linear = in.mass * inertia * MASS_SHARE[i][j] + in.stiffness * bending * BENDING_SHARE[i][j];
         const V both = scale[i] * scale[j];
-        V* const k = K[COMPLETE ? 4 * i + j : pairOf(i, j)];
+        V* const k = K[COMPLETE ? 4 * i + j : packedIndex4(i, j)];
 #pragma GCC unroll 3
         for (int row = 0; row < 3; ++row)
 #pragma GCC unroll 3
           for (int column = COMPLETE ? 0 : row; column < 3; ++column)
           {
             V x = row == column ? linear : V{};
-            const int place = COMPLETE ? 3 * row + column : entryOf(row, column);
+            const int place = COMPLETE ? 3 * row + column : packedIndex3(row, column);
 #pragma GCC unroll 3
             for (int g = 0; g < POINTS; ++g)
             {
-              x += (SHAPE.H[g][i] * SHAPE.H[g][j]) * tangent[g].f_r[entryOf(row, column)];
-              x += (SHAPE.G[g][i] * SHAPE.G[g][j]) * tangent[g].n_dr[place];
+              x += (HERMITE.N[g][i] * HERMITE.N[g][j]) * tangent[g].f_r[packedIndex3(row, column)];
+              x += (HERMITE.dN[g][i] * HERMITE.dN[g][j]) * tangent[g].n_dr[place];
               if constexpr (COMPLETE)
-                x += (SHAPE.H[g][i] * SHAPE.G[g][j]) * tangent[g].f_dr[place];
+                x += (HERMITE.N[g][i] * HERMITE.dN[g][j]) * tangent[g].f_dr[place];
             }
             if (i == j && i % 2 == 1)
               x += node_dr[i / 2][place];
@@ -321,7 +323,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
       if constexpr (COMPLETE)
         return K[4 * i + j][3 * row + column];
       else
-        return K[pairOf(i, j)][entryOf(row, column)];
+        return K[packedIndex4(i, j)][packedIndex3(row, column)];
     };
     const auto columnOf = [&](int node_row, int node_column, int column, V* x)
     {
@@ -344,7 +346,7 @@ TM_INLINE void elements(const ElementBlock& in, int first, int count)
 #pragma GCC unroll 6
       for (int row = 0; row < 6; ++row)
       {
-        x[row] += fromBefore<W>(y[row]);
+        x[row] += shiftIn<W>(y[row]);
         after[row] = y[row][last];
       }
       after[6] = after[7] = 0.0;

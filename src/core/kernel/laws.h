@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pack.h"
-#include "shape.h"
+#include "hermite_table.h"
+#include "simd.h"
 
 // The laws of one integration point, for W elements at once.
 
@@ -31,13 +31,13 @@ TM_INLINE Drag<V> drag(V normal, V tangential, const V* u, const V* t, V inverse
   for (int k = 0; k < 3; ++k)
     d.across[k] = u[k] - share * t[k];
   const V square = dot(d.across, d.across);
-  d.normal_speed = normal * root<W>(square);
-  d.tangent_speed = tangential * magnitude(d.along) * root<W>(inverse_square);
+  d.normal_speed = normal * sqrt<W>(square);
+  d.tangent_speed = tangential * abs(d.along) * sqrt<W>(inverse_square);
   for (int k = 0; k < 3; ++k)
     d.force[k] = d.normal_speed * d.across[k] + d.tangent_speed * share * t[k];
   d.alpha = d.normal_speed;
   d.beta = inverse_square * (2.0 * d.tangent_speed - d.normal_speed);
-  d.gamma = d.normal_speed / larger(square, spread<W>(1e-24));
+  d.gamma = d.normal_speed / max(square, broadcast<W>(1e-24));
   return d;
 }
 
@@ -75,8 +75,8 @@ TM_INLINE Axial<V> axial(const AxialConstants<V>& p, const V* t, const V* rate, 
   out.natural = p.natural;
   out.natural2 = p.natural * p.natural;
   const V strain = 0.5 * (out.natural2 * dot(t, t) - 1.0);
-  const V push = larger(-strain * p.push_rate, V{});
-  V give = spread<W>(1.0);
+  const V push = max(-strain * p.push_rate, V{});
+  V give = broadcast<W>(1.0);
   if (any<W>(push > 0.0))
     give = 1.0 / (1.0 + push);
   out.N = p.stiff_part * strain + p.soft_part * strain * give;
@@ -106,7 +106,7 @@ TM_INLINE void axialTangent(const Axial<V>& a, const AxialConstants<V>& p, const
         x += along_rate * t[row] * rate[column];
       if (row == column)
         x += even;
-      out[COMPLETE ? 3 * row + column : entryOf(row, column)] = x;
+      out[COMPLETE ? 3 * row + column : packedIndex3(row, column)] = x;
     }
 }
 }  // namespace tether_monitor::core::kernel

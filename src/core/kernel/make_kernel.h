@@ -1,6 +1,6 @@
 #pragma once
 
-#include "block_kernel.h"
+#include "block_elimination.h"
 #include "element_kernel.h"
 
 namespace tether_monitor::core::kernel
@@ -8,12 +8,12 @@ namespace tether_monitor::core::kernel
 template <int W>
 double multiplyAdds(long rounds)
 {
-  using V = typename Pack<W>::Vector;
+  using V = typename Simd<W>::Vector;
   constexpr int CHAINS = OPERATIONS_A_ROUND / 2;
   V sum[CHAINS];
   for (int i = 0; i < CHAINS; ++i)
-    sum[i] = spread<W>(1.0 + i);
-  const V factor = spread<W>(0.999999), more = spread<W>(1e-6);
+    sum[i] = broadcast<W>(1.0 + i);
+  const V factor = broadcast<W>(0.999999), more = broadcast<W>(1e-6);
   for (long round = 0; round < rounds; ++round)
 #pragma GCC unroll 12
     for (int i = 0; i < CHAINS; ++i)

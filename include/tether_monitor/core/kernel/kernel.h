@@ -35,12 +35,12 @@ enum Constant
   BENDING_STIFFNESS,
   COMPRESSION,
   NATURAL_STRETCH,
-  FLOW_GROWTH,
-  FLOW_ACCELERATION,
-  FLOW_SPEED_A,
-  FLOW_SPEED_B,
-  FLOW_RATE_A,
-  FLOW_RATE_B,
+  TRANSPORT_GROWTH,
+  TRANSPORT_ACCELERATION,
+  TRANSPORT_SPEED_A,
+  TRANSPORT_SPEED_B,
+  TRANSPORT_RATE_A,
+  TRANSPORT_RATE_B,
   CONSTANTS
 };
 
@@ -68,9 +68,9 @@ struct ElementBlock
   int count;                ///< elements, 1..BLOCK.
   int nodes_after;          ///< nodes that follow the last one of this block in the arrays, >= 0.
   const double* constants;  ///< [CONSTANTS][BLOCK]
-  bool has_damping, has_compression, has_flow;  ///< of any element of the block.
-  const double* q;                              ///< coordinates, count + 1 nodes.
-  const double* v;                              ///< their rates.
+  bool has_damping, has_compression, has_transport;  ///< of any element of the block.
+  const double* q;                                   ///< coordinates, count + 1 nodes.
+  const double* v;                                   ///< their rates.
   const double* a;
   const Surroundings* around;
   const double* water;              ///< [POINTS][WATER_ROWS][BLOCK], null: the uniform current and no waves.

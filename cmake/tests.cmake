@@ -1,0 +1,75 @@
+# Tests that need no ROS: one executable a file, named after its path and labelled by its folder (ctest -L core).
+find_package(GTest CONFIG REQUIRED)
+
+set(test_files
+  test/core/analysis/dynamic_stiffness_test.cpp
+  test/core/analysis/natural_modes_test.cpp
+  test/core/assembly/cable_model_test.cpp
+  test/core/assembly/contact_assembly_test.cpp
+  test/core/bodies/rigid_body_dynamics_test.cpp
+  test/core/cable/cable_layout_test.cpp
+  test/core/cable/payout_test.cpp
+  test/core/cable/winch_drum_test.cpp
+  test/core/element/axial_law_test.cpp
+  test/core/element/element_equations_test.cpp
+  test/core/element/hermite_shape_functions_test.cpp
+  test/core/element/morison_drag_test.cpp
+  test/core/environment/airy_wave_test.cpp
+  test/core/linalg/block_tridiagonal_test.cpp
+  test/core/solve/abarbanel_zwas_test.cpp
+  test/core/solve/adaptive_stepper_test.cpp
+  test/core/solve/steady_state_catenary_test.cpp
+  test/core/solve/steady_state_solver_test.cpp
+  test/core/verification/blintsov_steady_tow_test.cpp
+  test/core/verification/closed_forms_test.cpp
+  test/core/verification/dynamics_test.cpp
+  test/core/verification/moordyn_tow_test.cpp
+  test/monitor/alarms/alarm_test.cpp
+  test/monitor/estimator/allocation_test.cpp
+  test/monitor/estimator/estimator_snapshot_test.cpp
+  test/monitor/estimator/free_vehicle_end_test.cpp
+  test/monitor/estimator/observed_vehicle_end_test.cpp
+  test/monitor/estimator/observed_vehicle_faults_test.cpp
+  test/monitor/estimator/payout_test.cpp
+  test/monitor/estimator/steady_start_test.cpp
+  test/monitor/estimator/tether_estimator_test.cpp
+  test/monitor/measurements/correction_blender_test.cpp
+  test/monitor/measurements/motion_buffer_test.cpp
+  test/monitor/vehicle/error_state_filter_test.cpp
+  test/monitor/vehicle/vehicle_initializer_test.cpp
+  test/monitor/vessel/track_wave_regression_test.cpp
+  test/monitor/vessel/vessel_motion_filter_test.cpp
+  test/params/load_config_test.cpp
+  test/replay/csv_replay_test.cpp
+  test/replay/recorded_motion_test.cpp
+  test/simulation/acoustic_navigation_test.cpp
+  test/simulation/simulator_test.cpp
+  test/verification/navigation_study_test.cpp
+  test/verification/reference_cases_test.cpp
+  test/verification/robustness_test.cpp)
+
+# test/core/solve/adaptive_stepper_test.cpp: target core_solve_adaptive_stepper_test, labels core and core/solve.
+function(add_unit_test file)
+  string(REGEX REPLACE "^test/(.*)\\.cpp$" "\\1" path "${file}")
+  string(REPLACE "/" "_" target "${path}")
+  get_filename_component(folder "${path}" DIRECTORY)
+  string(REGEX REPLACE "/.*" "" room "${folder}")
+  if(WITH_ROS)
+    catkin_add_gtest(${target} ${file} TIMEOUT 600)
+    set(test_name _ctest_${PROJECT_NAME}_gtest_${target})
+    target_link_libraries(${target} GTest::gtest_main)
+  else()
+    add_executable(${target} ${file})
+    set(test_name ${target})
+    target_link_libraries(${target} GTest::gtest_main)
+    add_test(NAME ${target} COMMAND ${target})
+  endif()
+  target_link_libraries(${target} tether_monitor_replay tether_monitor_verification tether_monitor_options)
+  target_include_directories(${target} PRIVATE test)
+  target_compile_definitions(${target} PRIVATE PROJECT_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
+  set_tests_properties(${test_name} PROPERTIES LABELS "${room};${folder}")
+endfunction()
+
+foreach(file ${test_files})
+  add_unit_test(${file})
+endforeach()

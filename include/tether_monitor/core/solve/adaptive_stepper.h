@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+
+#include "tether_monitor/core/solve/abarbanel_zwas.h"
+#include "tether_monitor/core/solve/generalized_alpha.h"
+
+namespace tether_monitor::core
+{
+/// Time schemes.
+enum class Scheme
+{
+  GENERALIZED_ALPHA,  ///< implicit, (M12).
+  ABARBANEL_ZWAS      ///< the paper's, explicit, (M25).
+};
+
+/// Bounds of the automatic step control.
+struct StepperOptions
+{
+  double step = 0.05;            ///< [s], > 0: largest step.
+  double spectral_radius = 0.6;  ///< rho_inf [-], 0..1.
+  int max_halvings = 10;         ///< >= 0: smallest step is step / 2^max_halvings.
+  int max_iterations =
+      400;  ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
+  NewtonOptions newton;
+  Scheme scheme = Scheme::GENERALIZED_ALPHA;
+  int corrections = 8;   ///< of ABARBANEL_ZWAS, 0..100.
+  double courant = 0.9;  ///< its step over the stable one [-], 0 < courant <= 1.
+};
+
+/// Every bound of StepperOptions that `options` violates, one sentence each.
+std::vector<std::string> validate(const StepperOptions& options);
+
+/**
+ * Advances a tether over any stretch of time with steps that halve when Newton's iteration fails and grow again
+ * after.
+ *
+ * A failed step leaves no trace: the state before it is kept. The cost of a call is bounded by StepperOptions.
+ * Allocates only in the constructor.
+ */
+class AdaptiveStepper
+{
+ public:
+  /// @throws std::invalid_argument listing violated bounds.
+  /// @param model  that will be stepped, or one like it.
+  AdaptiveStepper(const CableModel& model, const StepperOptions& options);
+
+  /**
+   * Steps `state` to time t_end.
+   *
+   * @param ends   paths of the held ends, valid from state.time to t_end.
+   * @param t_end  [s]; not before state.time (equal: nothing happens).
+   * @param state  in and out; on failure the last state that converged, at its own time.
+   * @return       sums over the call; ITERATION_LIMIT or the failure of the smallest step if t_end was not
+   * reached; ITERATION_LIMIT at once if t_end is more than a million full steps away.
+   */
+  SolveReport advance(CableModel& model, const BoundaryConditions& ends, double t_end, CableState& state);
+
+  /// Takes memory for the obstacles of `model`, after they changed.
+  void prepareObstacles(const CableModel& model);
+  const StepperOptions& options() const { return options_; }
+
+ private:
+  SolveReport step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
+
+  StepperOptions options_;
+  GeneralizedAlpha integrator_;
+  std::optional<AbarbanelZwas> explicit_;
+};
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace tether_monitor::monitor
+{
+/// Life of an alarm (after ISA-18.2); the numbers are those of Alarm.msg.
+enum class AlarmState
+{
+  NORMAL = 0,
+  UNACKNOWLEDGED = 1,
+  ACKNOWLEDGED = 2,
+  RETURNED_UNACKNOWLEDGED = 3
+};
+
+/// Weight of an alarm; the numbers are those of Alarm.msg.
+enum class Severity
+{
+  WARNING = 1,
+  ALARM = 2,
+  CRITICAL = 3
+};
+
+/// Which side of the limit is bad.
+enum class Side
+{
+  ABOVE,
+  BELOW
+};
+
+/// How one alarm behaves in time.
+struct AlarmTiming
+{
+  double on_delay = 0.0;   ///< [s], >= 0: the value must be past the limit this long.
+  double off_delay = 0.0;  ///< [s], >= 0: the value must be back past the deadband this long.
+  double deadband = 0.0;   ///< >= 0, in the unit of the limit: how far back the value must come.
+  bool latch = false;      ///< a returned alarm stays until it is acknowledged.
+};
+
+/// Fixed description of one alarm.
+struct AlarmDefinition
+{
+  std::string name;
+  Severity severity = Severity::ALARM;
+  Side side = Side::ABOVE;
+  double limit = 0.0;  ///< in the unit of the value.
+  AlarmTiming timing;
+};
+
+/// One alarm: watches a value against a limit with delays, deadband, latch and acknowledgement.
+class Alarm
+{
+ public:
+  explicit Alarm(AlarmDefinition definition) : definition_(std::move(definition)) {}
+
+  /**
+   * Looks at the value at time t [s].
+   *
+   * @param value  in the unit of the limit; NaN: unknown, nothing changes and both delays start again.
+   * @param s      where along the tether [m]; NaN if nowhere.
+   * @return       true if the state changed.
+   */
+  bool update(double t, double value, double s);
+  /// The operator has seen it. @return true if the state changed.
+  bool acknowledge(double t);
+  /// Forgets running delays (the clock jumped); the state stays.
+  void resetTimers();
+
+  const AlarmDefinition& definition() const { return definition_; }
+  AlarmState state() const { return state_; }
+  /// Active or latched: anything but NORMAL.
+  bool isAnnunciated() const { return state_ != AlarmState::NORMAL; }
+  /// The value is past the limit and was for the on-delay.
+  bool isActive() const { return state_ == AlarmState::UNACKNOWLEDGED || state_ == AlarmState::ACKNOWLEDGED; }
+  double value() const { return value_; }
+  double s() const { return s_; }
+  /// Time of the last change of state [s].
+  double since() const { return since_; }
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(state_, value_, s_, since_, pending_since_);
+  }
+
+ private:
+  void enter(AlarmState state, double t);
+
+  AlarmDefinition definition_;
+  AlarmState state_ = AlarmState::NORMAL;
+  double value_ = 0.0;
+  double s_ = 0.0;
+  double since_ = 0.0;
+  std::optional<double> pending_since_;  // start of the delay that is running
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <limits>
+
+#include "tether_monitor/core/assembly/contact_assembly.h"
+#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+
+namespace tether_monitor::monitor
+{
+/// How far the numbers of an estimate may be used; the numbers are those of TetherState.msg.
+enum class Status
+{
+  OK = 0,
+  DEGRADED = 1,
+  INVALID = 2
+};
+
+/// Why the status is not OK; the numbers are those of TetherState.msg.
+enum class Reason
+{
+  NONE = 0,
+  NO_INPUT,
+  SETTLING,
+  VESSEL_STALE,
+  VEHICLE_STALE,
+  PAYOUT_STALE,
+  REJECTED_INPUT,
+  NOT_CONVERGED,
+  OUT_OF_RANGE,
+  MESH_COARSE,
+  CLOCK_JUMP,
+  DISAGREEMENT,
+  UNCERTAIN
+};
+
+/// The word of the message constant, without its prefix: "DEGRADED", "VESSEL_STALE".
+const char* describe(Status status);
+const char* describe(Reason reason);
+
+/// What the monitor says of the tether at one time. While INVALID the stations are empty and the numbers NaN.
+struct TetherEstimate
+{
+  static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+
+  double time = 0.0;  ///< [s] of the input clock.
+  Status status = Status::INVALID;
+  Reason reason = Reason::NO_INPUT;
+  core::StationProfile stations;  ///< positions in the world frame; see has_stations.
+  bool has_stations = false;      ///< false while INVALID.
+
+  double length = NONE;                 ///< unstretched, deployed [m].
+  double payout_rate = NONE;            ///< [m/s]; NaN when nothing tells it.
+  double max_tension = NONE;            ///< [N]
+  double max_tension_s = NONE;          ///< [m]
+  double min_tension = NONE;            ///< [N]
+  double min_tension_s = NONE;          ///< [m]
+  double vessel_tension = NONE;         ///< size of the force on the vessel end [N].
+  double vehicle_tension = NONE;        ///< size of the force on the vehicle end [N].
+  double working_utilisation = NONE;    ///< largest tension over the working load of its section [-].
+  double working_utilisation_s = NONE;  ///< where [m].
+  double breaking_utilisation = NONE;   ///< largest tension over the breaking load of its section [-].
+  double min_bend_radius = NONE;        ///< [m]
+  double min_bend_radius_s = NONE;      ///< [m]
+  double governing_bend_radius = NONE;  ///< least bend radius for the alarm [m]: where a section has a limit of
+                                        ///< its own, scaled to the limit of the whole tether.
+  double governing_bend_radius_s = NONE;  ///< where [m].
+  double vessel_end_angle = NONE;         ///< of the tether below the horizontal at the vessel end [rad].
+  double vehicle_end_angle = NONE;        ///< the same at the vehicle end [rad].
+  double seabed_contact_length = NONE;    ///< unstretched length on the seabed [m]; 0 without a seabed.
+  double touchdown_s = NONE;              ///< first point on the seabed from the vessel end [m]; NaN if none is.
+  core::ContactSummary contact;           ///< places in the world frame; an entry for each obstacle.
+  BodyState vehicle;                      ///< of a simulated vehicle's centre of mass; see has_vehicle.
+  bool has_vehicle = false;               ///< in modes free and observed, unless INVALID.
+  double vessel_tension_stddev = NONE;    ///< standard deviation [N]; in mode observed, like all that follow.
+  double vehicle_tension_stddev = NONE;   ///< [N]
+  double vehicle_position_stddev = NONE;  ///< root mean square over the axes [m].
+  double vehicle_velocity_stddev = NONE;  ///< likewise [m/s].
+  core::Vector3 disturbance = core::Vector3::Constant(NONE);  ///< estimated force that nobody told [N].
+  double disturbance_stddev = NONE;                           ///< root mean square over the axes [N].
+  double vessel_age = NONE;                                   ///< age of the last vessel pose [s].
+  double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
+  double vehicle_overdue =
+      NONE;  ///< the same, less what is usual in mode observed: how long something has been due [s].
+  double payout_age = NONE;  ///< age of the last report of the winch [s]; NaN if nothing reports.
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(time, status, reason, stations, has_stations, length, payout_rate, max_tension, max_tension_s, min_tension,
+      min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
+      breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius, governing_bend_radius_s,
+      vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle,
+      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_velocity_stddev, disturbance,
+      disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue, payout_age);
+  }
+};
+
+}  // namespace tether_monitor::monitor

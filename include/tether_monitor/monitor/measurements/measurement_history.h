@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tether_monitor/core/base/types.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+
+namespace tether_monitor::monitor
+{
+/// A measurement of the vehicle's centre of mass at its own time, world axes.
+struct VehicleMeasurement
+{
+  enum class Kind
+  {
+    POSITION,  ///< [m]
+    VELOCITY   ///< [m/s]
+  };
+
+  double t = 0.0;  ///< when it was true [s].
+  Kind kind = Kind::POSITION;
+  core::Vector3 value = core::Vector3::Zero();
+  core::Vector3 stddev = core::Vector3::Ones();  ///< of every axis, > 0; infinite: not measured.
+
+  /// True for a position that was measured along an axis.
+  bool measuresPosition(int axis) const { return kind == Kind::POSITION && std::isfinite(stddev[axis]); }
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(t, kind, value, stddev);
+  }
+};
+
+/**
+ * The last measurements of the vehicle in order of their own time, however they came in: late, out of order or
+ * twice. Allocates only in the constructor.
+ */
+class MeasurementHistory
+{
+ public:
+  static constexpr std::size_t CAPACITY = 1024;
+
+  MeasurementHistory() { fixes_.reserve(CAPACITY); }
+
+  /// Takes a fix that is later than `earliest` [s]. The oldest goes where there is no room.
+  Rejection add(const VehicleMeasurement& fix, double earliest);
+  void clear();
+  /// Forgets what is before t [s].
+  void discardBefore(double t);
+
+  const std::vector<VehicleMeasurement>& fixes() const { return fixes_; }
+  /// Time of the earliest fix that came since the last call of markProcessed() [s]; infinite if none did.
+  double earliestUnprocessed() const { return earliest_unprocessed_; }
+  void markProcessed();
+  /// Time of the last fix that had to go for want of room [s]; -infinity if none had to.
+  double droppedUntil() const { return dropped_until_; }
+  bool isValid() const;
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(fixes_, earliest_unprocessed_, dropped_until_, last_value_, repeats_);
+  }
+
+ private:
+  bool isFrozen(const VehicleMeasurement& fix);
+
+  std::vector<VehicleMeasurement> fixes_;
+  double earliest_unprocessed_ = std::numeric_limits<double>::infinity();
+  double dropped_until_ = -std::numeric_limits<double>::infinity();
+  core::Vector3 last_value_ = core::Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  int repeats_ = 0;
+};
+
+}  // namespace tether_monitor::monitor

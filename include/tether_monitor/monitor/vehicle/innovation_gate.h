@@ -1,0 +1,74 @@
+#pragma once
+
+#include "tether_monitor/monitor/measurements/measurement_history.h"
+#include "tether_monitor/monitor/vehicle/error_state_filter.h"
+
+namespace tether_monitor::monitor
+{
+/// How the measured positions go with the model, for people.
+struct InnovationStatistics
+{
+  long accepted = 0;         ///< positions and velocities that corrected the estimate.
+  long refused = 0;          ///< that were too far off to be believed.
+  long reacquired = 0;       ///< times that those too far off were believed after all.
+  double noise_scale = 1.0;  ///< innovations over what they should be, root mean square [-].
+  double normalized_innovation_mean =
+      0.0;            ///< mean innovation over what chance would leave of it [-]; beyond 4 something is wrong.
+  double last = 0.0;  ///< size of the last innovation [m].
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(accepted, refused, reacquired, noise_scale, normalized_innovation_mean, last);
+  }
+};
+
+/**
+ * Decides which measurements of the vehicle are believed: (E14)-(E16) of doc/estimation.md.
+ *
+ * What is too far from the prediction is refused. Where refused positions go on to agree with each other, the gate
+ * was wrong and they are believed; but if they contradict positions that were believed just before, it stays in
+ * question which were right. Plain data.
+ */
+class InnovationGate
+{
+ public:
+  /// @param measured  time of the last position known then [s].
+  void start(double t, double measured);
+
+  /// Judges a fix and corrects the filter with it. @param offset  of the fix from the nominal motion [m or m/s].
+  void evaluate(const VehicleMeasurement& fix, const core::Vector3& offset, VehicleErrorStateFilter& filter);
+
+  /// Factor on the wandering of the disturbance: positions that drift off to one side mean that it has changed.
+  double processNoiseScale() const;
+  /// True while positions and model contradict each other.
+  bool isInconsistent(double t) const;
+  /// Time of the last position that was believed, of the axis that has waited longest [s].
+  double lastAccepted() const { return last_accepted_.minCoeff(); }
+  const InnovationStatistics& report() const { return report_; }
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(last_accepted_, last_seen_, reacquisition_until_, consecutive_rejections_, last_offset_, last_refused_,
+      square_, mean_, samples_, inconsistent_until_, report_);
+  }
+
+ private:
+  bool shouldReacquire(const VehicleMeasurement& fix, const core::Vector3& offset);
+  void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square);
+
+  core::Vector3 last_accepted_ = core::Vector3::Zero();  // of every axis
+  double last_seen_ = 0.0;                               // last position, believed or not
+  double reacquisition_until_ = 0.0;                     // nothing better is known so long
+  int consecutive_rejections_ = 0;                       // in a row that agree with each other
+  core::Vector3 last_offset_ = core::Vector3::Zero();
+  double last_refused_ = 0.0;
+  double square_ = 1.0;  // running mean of the squared distances, over three
+  core::Vector3 mean_ = core::Vector3::Zero();
+  int samples_ = 0;
+  double inconsistent_until_ = -1e300;
+  InnovationStatistics report_;
+};
+
+}  // namespace tether_monitor::monitor

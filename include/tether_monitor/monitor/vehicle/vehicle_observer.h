@@ -1,0 +1,186 @@
+#pragma once
+
+#include <optional>
+
+#include "tether_monitor/core/solve/adaptive_stepper.h"
+#include "tether_monitor/core/solve/steady_state_solver.h"
+#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/estimate/tether_estimate.h"
+#include "tether_monitor/monitor/measurements/measurement_history.h"
+#include "tether_monitor/monitor/measurements/ring_buffer.h"
+#include "tether_monitor/monitor/vehicle/innovation_gate.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * A simulated vehicle that measurements correct, each at its own time: doc/estimation.md.
+ *
+ * Steps the tether and remembers what drove it; a measurement that comes late sets everything back to a snapshot
+ * state before it and steps rewindAndReplay. The filter pulls the simulated vehicle softly to where it believes it
+ * is, so that no measurement is a shock to the tether. Steps without allocating.
+ */
+class VehicleObserver
+{
+ public:
+  /// @param nodes  of the model.
+  VehicleObserver(const Config& config, int nodes);
+
+  /// Takes a measurement; fixes from before the beginning are of no more use and no fault.
+  Rejection add(const VehicleMeasurement& fix);
+  /// Attitude that the vehicle shall turn to.
+  void setAttitude(const Eigen::Quaterniond& attitude) { attitude_ = attitude; }
+  /// Forgets measurements and motion.
+  void clear();
+
+  /// Where the vehicle most probably is at time t [s] by the measurements alone, if it moves with `velocity`; none
+  /// without measurements. initialize() trusts it as far as it is recent.
+  std::optional<core::Vector3> initialPositionEstimate(double t, const core::Vector3& velocity);
+  /// True if any position has been measured.
+  bool hasPosition() const { return newest_ > -std::numeric_limits<double>::infinity(); }
+  /// True if there are measurements enough to begin at time t [s].
+  bool isReady(double t) const;
+
+  /**
+   * Steady state to begin with: the likeliest, given how unsure the position and the disturbance are.
+   *
+   * @param model  with the simulated vehicle.
+   * @param ends   with the measured place of the tether's end at the vehicle.
+   * @param velocity_stddev  of the common velocity [m/s].
+   * @param shape  out: unchanged unless the report says converged.
+   */
+  core::SolveReport initialize(core::SteadyStateSolver& statics, const core::CableModel& model,
+                               const core::SteadyEnds& ends, const core::Vector3& velocity_stddev,
+                               const core::Vector3& thrust, core::NodeField& shape);
+  /// Begins at a state of initialize(). @param origin  of the model's coordinates in the world [m].
+  void begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state);
+  /// The model with the vehicle of initialize(), what is told and what is not acting on it.
+  core::CableModel modelWithInitialForces(const core::CableModel& model, const core::Vector3& thrust) const;
+  /// Obstacle `k` is told to be elsewhere at time t [s]: snapshot states get it too.
+  void moveObstacle(std::size_t k, const core::ObstacleMotion& now, double t);
+  /// Another model from now on: snapshot states of the old one are of no more use.
+  void forgetPast(const core::CableModel& model, const core::CableState& state);
+  /// Another number of nodes; initialize() and begin() must follow.
+  void setNodes(int nodes);
+
+  /**
+   * Steps to time t [s], measurements included.
+   *
+   * @param paths   from state.time to t.
+   * @param vessel_stddev  of the place of the vessel's end [m]. @param error_rate  how fast its errors are [1/s].
+   * @return        the stepping, that rewindAndReplay included; as AdaptiveStepper::advance().
+   */
+  core::SolveReport advance(core::CableModel& model, core::AdaptiveStepper& stepper,
+                            const core::BoundaryConditions& paths, const core::Vector3& vessel_stddev,
+                            double error_rate, double t, core::CableState& state);
+
+  /// Writes the vehicle and the standard deviations into an estimate whose tensions are known.
+  void describe(TetherEstimate& estimate) const;
+
+  /// Time of the beginning [s]; -infinity before.
+  double initializedAt() const { return initialized_at_; }
+  /// Age at time t [s] of the last position that was believed; after begin().
+  double age(double t) const { return t - filter_state_.gate.lastAccepted(); }
+  /// Age at time t [s] of the last position that was measured; infinite before the first.
+  double measuredAge(double t) const { return t - newest_; }
+  /// Time for which measurements that were due have not come [s], when the last is `age` old: less latency and two
+  /// of their usual intervals.
+  double overdueTime(double age) const { return age - measurement_latency_ - 2.0 * measurement_interval_; }
+  /// True while positions, tether and vehicle contradict each other.
+  bool isInconsistent(double t) const;
+  /// True while the measured ends are farther apart than the tether is long.
+  bool exceedsTetherLength() const;
+  const InnovationStatistics& innovations() const { return filter_state_.gate.report(); }
+  const VehicleErrorStateFilter& filter() const { return filter_state_.filter; }
+  /// Steps that were made rewindAndReplay for late measurements.
+  long replayedSteps() const { return replayed_; }
+  /// See MotionBuffer::isValid(). @param original  the observer before it was overwritten.
+  bool isValid(const core::CableModel& model, const VehicleObserver& original) const;
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(log_, filter_state_, attitude_, origin_, initialized_at_, first_stddev_, start_scale_, start_force_,
+      start_place_, start_doubt_, replayed_, steps_, snapshots_, newest_, measurement_interval_,
+      measurement_latency_);
+  }
+
+ private:
+  static constexpr std::size_t SNAPSHOTS = 32;
+  static constexpr double OUT_OF_ORDER = 3.0;  // [s] by which a measurement may be later than the latency
+  static constexpr double SAME = 1e-9;         // [s]
+
+  // What a measurement changes.
+  struct FilterState
+  {
+    VehicleErrorStateFilter filter;
+    InnovationGate gate;
+    double relinearize_at = 0.0;
+    double chord_excess = 0.0;  // by which the measured ends are too far apart, over its standard deviation, mean
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(filter, gate, relinearize_at, chord_excess);
+    }
+  };
+  struct StepInput
+  {
+    double from = 0.0, to = 0.0;
+    core::BoundaryConditions paths;
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+    bool has_attitude = false;
+    double error_rate = 1.0;
+    core::Vector3 vessel_stddev = core::Vector3::Zero();
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(from, to, paths, attitude, has_attitude, error_rate, vessel_stddev);
+    }
+  };
+  struct StateSnapshot
+  {
+    core::CableState state;
+    core::PayoutState payout;
+    FilterState filter_state;
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(state, payout, filter_state);
+    }
+  };
+
+  core::SolveReport advanceOneStep(const StepInput& step, core::CableModel& model, core::AdaptiveStepper& stepper,
+                                   core::CableState& state);
+  core::SolveReport rewindAndReplay(double from, core::CableModel& model, core::AdaptiveStepper& stepper,
+                                    core::CableState& state);
+  void save(const core::CableModel& model, const core::CableState& state);
+  void processMeasurement(const VehicleMeasurement& fix, const core::EndTrajectory& nominal, const StepInput& step,
+                          const core::CableModel& model, const core::CableState& state);
+  static std::size_t stepsFor(const Config& config);
+  double oldestUsableTime(double t) const;
+  core::EndMotion centre(const core::CableState& state) const;
+
+  NavigationConfig navigation_;
+  core::RigidBody body_;
+  double invalid_timeout_;  // [s]
+  MeasurementHistory log_;
+  core::EndDynamicStiffnessSolver solver_;
+  FilterState filter_state_;
+  std::optional<Eigen::Quaterniond> attitude_;
+  core::Vector3 origin_ = core::Vector3::Zero();
+  double initialized_at_;
+  double start_scale_ = 1.0;   // of the usual disturbance
+  double first_stddev_ = 0.0;  // of initialPositionEstimate() [m]
+  core::Vector3 start_force_ = core::Vector3::Zero();
+  core::Matrix3 start_place_ = core::Matrix3::Identity();  // covariance
+  core::Matrix3 start_doubt_ = core::Matrix3::Zero();      // covariance of the force
+  long replayed_ = 0;
+  RingBuffer<StepInput> steps_;
+  RingBuffer<StateSnapshot> snapshots_;
+  double newest_, measurement_interval_ = 0.0;  // position in the log: time, usual interval
+  double measurement_latency_;                  // usual [s]
+};
+
+}  // namespace tether_monitor::monitor

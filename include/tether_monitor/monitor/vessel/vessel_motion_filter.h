@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tether_monitor/core/cable/end_trajectory.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/vessel/axis_kalman_filter.h"
+#include "tether_monitor/monitor/vessel/noise_estimator.h"
+#include "tether_monitor/monitor/vessel/position_window.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * Motion of the vessel's end of the tether out of noisy measurements: (E10)-(E13) of doc/estimation.md.
+ *
+ * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis
+ * has its own filter, so that satellite positions and a heave sensor can take turns. RecordedMeasurements may come
+ * late and out of order within some seconds: the filters are set back and run again. Allocates only in the
+ * constructor.
+ */
+class VesselMotionFilter
+{
+ public:
+  /// End of the tether at one time, and how sure that is; axes of the world.
+  struct Motion
+  {
+    core::EndMotion end;
+    core::Vector3 position_stddev = core::Vector3::Zero();      ///< [m]
+    core::Vector3 acceleration_stddev = core::Vector3::Zero();  ///< [m/s^2]
+  };
+
+  static constexpr std::size_t CAPACITY = 1024;  ///< measurements that can be run again.
+  static constexpr double UNMEASURED = 100.0;    ///< a standard deviation from which an axis was not measured [m].
+
+  VesselMotionFilter();
+
+  /**
+   * Takes a position of the attachment at time t [s].
+   *
+   * @param stddev  of every axis [m]; NaN or 0: as its own noise says; above UNMEASURED: not measured.
+   */
+  Rejection addPosition(double t, const core::Vector3& position, const core::Vector3& stddev);
+  /// The same for its velocity [m/s].
+  Rejection addVelocity(double t, const core::Vector3& velocity, const core::Vector3& stddev);
+  /// Begins with a known motion at time t [s], before anything is measured.
+  void start(double t, const core::EndMotion& end, double position_stddev, double velocity_stddev);
+  void clear();
+
+  /// True when position and velocity are known well enough to begin.
+  bool isReady(double t) const;
+  /// True when every axis has been measured.
+  bool hasPosition() const;
+  /// Age at time t of the last measured position of the axis that has waited longest [s]; infinite before.
+  double age(double t) const;
+  /// At time t [s]; hasPosition() must hold.
+  Motion at(double t) const;
+  /// The straight track of the last 20 s, without the motion in the waves, which the filters learn at once;
+  /// isReady() must hold.
+  core::EndMotion estimateTrack(double t);
+  /// Standard deviation of the velocity that estimateTrack() has found [m/s].
+  const core::Vector3& trackVelocityStddev() const { return track_velocity_stddev_; }
+  /**
+   * As at(), for a tether to blend: what a measurement corrects fades in, so that no correction is a shock to a
+   * taut tether. Calls in order of t.
+   */
+  Motion blend(double t);
+  /// Begins to blend at time t [s] on the straight track `from`; the rest of the motion comes on top within 14 s.
+  void startBlending(double t, const core::EndMotion& from);
+  /// True while not all of the motion is on top of the track yet.
+  bool isRampingUp(double t) const;
+  /// How fast the errors of a motion are [1/s].
+  static double errorRate(const Motion& motion);
+  const AxisKalmanFilter& axis(int i) const { return filters_[i]; }
+  /// RecordedMeasurements that were far beyond what the filter could believe.
+  long outliers() const { return outliers_; }
+  bool isValid() const;
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(filters_, position_windows_, noise_, velocity_noise_, log_, snapshots_, last_measured_, outliers_,
+      consecutive_outliers_, last_output_, last_output_time_, correction_, ramp_track_, track_velocity_stddev_,
+      blending_since_);
+  }
+
+ private:
+  struct Entry
+  {
+    double t = 0.0;
+    bool is_velocity = false;
+    core::Vector3 value = core::Vector3::Zero();
+    core::Vector3 stddev = core::Vector3::Zero();
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(t, is_velocity, value, stddev);
+    }
+  };
+  using Filters = std::array<AxisKalmanFilter, 3>;
+  struct Snapshot
+  {
+    double t = 0.0;
+    Filters filters;
+    std::array<int, 3> consecutive_outliers{};
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(t, filters, consecutive_outliers);
+    }
+  };
+
+  Rejection add(const Entry& entry);
+  void run(const Entry& entry);
+  void pushSnapshot(double t);
+  static Motion motionOf(const Filters& filters, double t);
+  void rampWaveMotion(double t, Motion& motion) const;
+
+  Filters filters_;
+  std::array<PositionWindow, 3> position_windows_;
+  std::array<DifferenceNoiseEstimator, 3> noise_, velocity_noise_;
+  std::vector<Entry> log_;           // in order of time
+  std::vector<Snapshot> snapshots_;  // likewise: filters before the entries from t on
+  std::array<double, 3> last_measured_;
+  long outliers_ = 0;
+  std::array<int, 3> consecutive_outliers_{};
+  Filters last_output_;                                          // at the last blend()
+  double last_output_time_ = 0.0;                                // time of it
+  core::EndMotion correction_;                                   // of what was shown from what is known
+  core::EndMotion ramp_track_;                                   // of the track that it began to blend
+  core::Vector3 track_velocity_stddev_ = core::Vector3::Zero();  // of its velocity
+  double blending_since_;
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tether_monitor/core/analysis/natural_modes.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
+
+namespace tether_monitor::replay
+{
+/// A CSV file that is being written. Numbers keep 10 digits; NaN is "nan".
+class CsvWriter
+{
+ public:
+  /// @throws std::runtime_error naming the file if it cannot be made.
+  CsvWriter(const std::string& path, const std::string& header);
+
+  CsvWriter& number(double value);
+  /// A time [s] with 15 digits, so that seconds since 1970 keep their microseconds.
+  CsvWriter& time(double t);
+  CsvWriter& text(const std::string& value);
+  /// Ends the row. @throws std::runtime_error naming the file if writing failed.
+  void endRow();
+  /// Writes what is buffered. @throws as endRow().
+  void close();
+
+ private:
+  struct Closer
+  {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void separate();
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Closer> file_;
+  bool row_has_fields_ = false;
+};
+
+/// Makes a folder with its parents. @throws std::runtime_error naming it if that is impossible.
+void makeFolder(const std::string& path);
+
+/// What ends.csv tells of the vehicle.
+enum class VehicleColumns
+{
+  NONE,
+  RELATIVE,  ///< vehicle_x..z: vehicle end relative to the vessel end.
+  POSE,      ///< vehicle_x..z, vehicle_qx..qw: world pose of a simulated vehicle.
+  OBSERVED   ///< the same, estimated, and vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev.
+};
+
+/// ends.csv: end forces and extremes, a row an estimate.
+class EndsFile
+{
+ public:
+  explicit EndsFile(const std::string& folder, VehicleColumns vehicle = VehicleColumns::NONE);
+  void write(const monitor::TetherEstimate& estimate);
+  void close() { csv_.close(); }
+
+ private:
+  VehicleColumns vehicle_;
+  CsvWriter csv_;
+};
+
+/// contacts.csv: forces of the tether on obstacles, a row an obstacle that it touches.
+class ContactsFile
+{
+ public:
+  explicit ContactsFile(const std::string& folder);
+  void write(const monitor::TetherEstimate& estimate, const std::vector<core::Obstacle>& obstacles);
+  void close() { csv_.close(); }
+
+ private:
+  CsvWriter csv_;
+};
+
+/// shape.csv: the stations of an estimate, a row a station. INVALID estimates have none.
+class ShapeFile
+{
+ public:
+  explicit ShapeFile(const std::string& folder);
+  void write(const monitor::TetherEstimate& estimate);
+  void close() { csv_.close(); }
+
+ private:
+  CsvWriter csv_;
+};
+
+/// modes.csv (mode, kind, frequency) and mode_shapes.csv (displacement of every node in every mode).
+/// @param node_s  unstretched arc lengths of the nodes [m].
+void writeModes(const std::string& folder, const std::vector<core::Mode>& modes,
+                const std::vector<double>& node_s);
+
+/// alarms.csv: a row for each alarm whose state has changed since the last call.
+class AlarmsFile
+{
+ public:
+  explicit AlarmsFile(const std::string& folder);
+  void write(double t, const monitor::AlarmSet& alarms);
+  void close() { csv_.close(); }
+
+ private:
+  CsvWriter csv_;
+  std::vector<monitor::AlarmState> last_;
+};
+
+/// The word of the message constant: "RETURNED_UNACKNOWLEDGED", "WARNING".
+const char* describe(monitor::AlarmState state);
+const char* describe(monitor::Severity severity);
+
+}  // namespace tether_monitor::replay

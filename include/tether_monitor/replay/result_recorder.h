@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "tether_monitor/replay/result_files.h"
+
+namespace tether_monitor::replay
+{
+/// Writes the files of a replay and sums it up.
+class ResultRecorder
+{
+ public:
+  /**
+   * @param folder      made if needed.
+   * @param shape_rate  [Hz] of shape.csv; 0: none.
+   * @param vehicle     columns of ends.csv about it.
+   * @throws std::runtime_error naming what cannot be written.
+   */
+  ResultRecorder(const std::string& folder, double shape_rate, VehicleColumns vehicle = VehicleColumns::NONE);
+
+  /// Starts and stops the clock around one call of the estimator.
+  void startTimer();
+  void stopTimer();
+  /// Looks at an estimate between output times: extremes and alarms.
+  void accumulate(const monitor::TetherEstimator& estimator);
+  /// Writes an estimate at an output time; observe() it first.
+  void writeRow(const monitor::TetherEstimator& estimator);
+  /// Writes summary.json and closes all files.
+  void finish(const monitor::TetherEstimator& estimator);
+
+ private:
+  std::string folder_;
+  double shape_rate_;
+  EndsFile ends_;
+  AlarmsFile alarms_;
+  std::unique_ptr<ShapeFile> shape_;
+  std::unique_ptr<ContactsFile> contacts_;  // from the first estimate with obstacles on
+  double next_shape_ = -std::numeric_limits<double>::infinity();
+  double first_time_ = std::numeric_limits<double>::quiet_NaN();
+  double last_time_ = 0.0;
+  double step_began_ = 0.0;
+  double cpu_seconds_ = 0.0;
+  double worst_step_ = 0.0;
+  double max_tension_ = std::numeric_limits<double>::quiet_NaN();
+  double max_tension_t_ = max_tension_;
+  double max_tension_s_ = max_tension_;
+  std::array<long, 3> status_count_{};
+  std::map<std::string, long> reason_count_;
+};
+
+}  // namespace tether_monitor::replay

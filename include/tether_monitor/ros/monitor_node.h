@@ -1,0 +1,78 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tether_monitor/TetherState.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/diagnostics.h"
+#include "tether_monitor/ros/input_adapter.h"
+
+namespace tether_monitor
+{
+/**
+ * The ROS side of the monitor of one tether: subscribes, ticks, publishes.
+ *
+ * **Subscribes** (relative): vessel/pose, vehicle/pose, vessel/velocity, vehicle/velocity, vessel/odom,
+ * vehicle/odom, payout, turns, current, obstacles, seabed, vehicle/thrust. **Publishes** (private): state,
+ * vessel_end/force, vehicle_end/force, over_tension, alarms, vehicle/estimate, contacts, markers; /diagnostics.
+ * **Services** (private): reset, acknowledge.
+ */
+class MonitorNode
+{
+ public:
+  /**
+   * @param nh          for inputs.
+   * @param private_nh  for parameters, outputs and services.
+   * @throws params::ParameterError listing every fault of the parameters.
+   */
+  MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
+
+ private:
+  template <typename Message>
+  void subscribeBody(const std::string& topic, Body body);
+  /// Subscribes to a topic that `take` takes into the adapter.
+  template <typename Message>
+  void subscribe(const std::string& topic, std::string (InputAdapter::*take)(const Message&, const ros::Time&));
+  void receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take);
+  void noteRefusal(const std::string& topic, const std::string& why);
+  void ensureTimeBase(const ros::Time& now);
+  void tick();
+  void publish(const ros::Time& stamp, double step_time);
+  void publishVehicle(const std_msgs::Header& header);
+  void publishContacts(const std_msgs::Header& header);
+  void lookAtVibration();
+  void publishAlarms(const std_msgs::Header& header);
+  bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool acknowledge(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  ros::NodeHandle nh_, private_nh_;
+  monitor::TetherEstimator estimator_;
+  tf2_ros::Buffer transforms_;
+  tf2_ros::TransformListener listener_;
+  InputAdapter adapter_;
+  TimeOrigin time_;
+  bool has_time_base_ = false;
+  ros::Time last_tick_, last_alarms_;
+  bool acknowledged_ = false;
+  TetherState state_message_;
+  DiagnosticInputs facts_;
+  diagnostic_updater::Updater updater_;
+
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Publisher state_pub_, vessel_force_pub_, vehicle_force_pub_, over_tension_pub_, alarms_pub_, markers_pub_;
+  ros::Publisher vehicle_pub_, contacts_pub_;
+  ros::ServiceServer reset_server_, acknowledge_server_;
+  ros::Timer tick_timer_;
+  ros::WallTimer diagnostics_timer_;
+  ros::WallTime last_vibration_;
+  bool had_contact_ = false;
+};
+
+}  // namespace tether_monitor

@@ -1,0 +1,82 @@
+#include "tether_monitor/core/analysis/vortex_shedding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tether_monitor/core/element/hermite_shape_functions.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+constexpr double LOCK_IN = 0.75;           // of the first natural frequency
+constexpr double LEAST_FLOW = 0.05;        // across the tether [m/s]
+constexpr double SHORTEST_HALF_WAVE = 20;  // diameters
+
+struct Piece
+{
+  Vector3 place, slope, velocity;
+};
+
+Piece middleOf(const CableModel& model, const CableState& state, int i)
+{
+  const double l = model.element(i).length;
+  const ShapeValues S = shapeFunctions(0.5, l);
+  return {interpolate(S, elementCoords(state.q, i)), interpolate(shapeSlopes(0.5, l), elementCoords(state.q, i)),
+          interpolate(S, elementCoords(state.v, i))};
+}
+
+// Speed of transverse waves; 0 where slack.
+double waveSpeed(const CableModel& model, const ElementParameters& e, const Piece& at)
+{
+  const double strain = 0.5 * (at.slope.squaredNorm() / (e.natural_stretch * e.natural_stretch) - 1.0);
+  const double added = at.place.z() < 0.0 ? model.sea().density() * e.area * e.added_mass : 0.0;
+  return std::sqrt(std::max(e.axial.stiffness * strain, 0.0) / (e.mass + added));
+}
+}  // namespace
+
+double sheddingFrequency(const CableModel& model, const CableState& state, int i)
+{
+  const Piece at = middleOf(model, state, i);
+  const double length = at.slope.norm();
+  if (at.place.z() >= 0.0 || !(length > 0.0))
+    return 0.0;
+  const Vector3 t = at.slope / length;
+  const Vector3 u = at.velocity - model.sea().waterKinematics(at.place, state.time).velocity;
+  return STROUHAL * (u - u.dot(t) * t).norm() / model.element(i).diameter;
+}
+
+VortexShedding findLockIn(CableModel& model, const CableState& state, double factor)
+{
+  VortexShedding found;
+  double travel = 0.0;  // of a wave from end to end [s]
+  for (int i = 0; i < model.elements(); ++i)
+  {
+    const ElementParameters& e = model.element(i);
+    travel += e.length / std::max(waveSpeed(model, e, middleOf(model, state, i)), 1e-3);
+  }
+  found.fundamental_frequency = 0.5 / travel;
+  for (int i = 0; i < model.elements(); ++i)
+  {
+    const ElementParameters& e = model.element(i);
+    const double shedding = sheddingFrequency(model, state, i);
+    const double half_wave = 0.5 * waveSpeed(model, e, middleOf(model, state, i)) / std::max(shedding, 1e-9);
+    const bool strums = shedding * e.diameter > STROUHAL * LEAST_FLOW &&
+                        shedding > LOCK_IN * found.fundamental_frequency &&
+                        half_wave > SHORTEST_HALF_WAVE * e.diameter;
+    if (factor != 1.0)
+      model.setDragFactor(i, strums ? factor : 1.0);
+    if (!strums)
+      continue;
+    if (shedding > found.highest_frequency)
+    {
+      found.highest_frequency = shedding;
+      found.s = model.arcLength(i) + 0.5 * e.length;
+    }
+    found.lowest_frequency = found.length > 0.0 ? std::min(found.lowest_frequency, shedding) : shedding;
+    found.length += e.length;
+  }
+  return found;
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,148 @@
+#include "tether_monitor/core/assembly/element_assembly.h"
+
+#include <algorithm>
+
+#include "tether_monitor/core/element/hermite_shape_functions.h"
+#include "tether_monitor/core/element/quadrature.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+using namespace kernel;  // NOLINT: the border of the kernels is spoken here
+
+constexpr int WATER_TABLE = POINTS * WATER_ROWS * BLOCK;
+
+Surroundings surroundings(const EnvironmentModel& sea)
+{
+  const Vector3 current = sea.waterKinematics(Vector3::Zero(), 0.0).velocity;
+  return {sea.density(),
+          sea.gravity(),
+          EnvironmentModel::AIR_DENSITY,
+          {current.x(), current.y(), current.z()},
+          {sea.wind().x(), sea.wind().y(), sea.wind().z()},
+          sea.hasWind()};
+}
+
+void sampleWater(const EnvironmentModel& sea, const CableState& state, int first, int count, double length_of[],
+                 double* table)
+{
+  for (int g = 0; g < POINTS; ++g)
+    for (int lane = 0; lane < BLOCK; ++lane)
+    {
+      const int i = first + std::min(lane, count - 1);
+      const Vector3 r = interpolate(shapeFunctions(QUADRATURE[g].xi, length_of[std::min(lane, count - 1)]),
+                                    elementCoords(state.q, i));
+      const WaterKinematics water = sea.waterKinematics(r, state.time);
+      double* at = table + g * WATER_ROWS * BLOCK + lane;
+      for (int k = 0; k < 3; ++k)
+      {
+        at[(WATER_VELOCITY + k) * BLOCK] = water.velocity[k];
+        at[(WATER_ACCELERATION + k) * BLOCK] = water.acceleration[k];
+      }
+      at[WATER_SURFACE * BLOCK] = water.surface;
+    }
+}
+}  // namespace
+
+ElementAssembler::ElementAssembler(int elements) : count_(elements), blocks_((elements + BLOCK - 1) / BLOCK)
+{
+}
+
+void ElementAssembler::set(int i, const ElementParameters& p)
+{
+  Constants& block = blocks_[i / BLOCK];
+  // The last element stands for those that are missing in its block.
+  const int last_lane = i + 1 == count_ ? BLOCK - 1 : i % BLOCK;
+  for (int lane = i % BLOCK; lane <= last_lane; ++lane)
+  {
+    const auto put = [&](Constant row, double value) { block.x[row][lane] = value; };
+    put(LENGTH, p.length);
+    put(MASS, p.mass);
+    put(DIAMETER, p.diameter);
+    put(AREA, p.area);
+    put(DRAG_NORMAL, p.drag_normal);
+    put(DRAG_TANGENTIAL, p.drag_tangential);
+    put(ADDED_MASS, p.added_mass);
+    put(AXIAL_STIFFNESS, p.axial.stiffness);
+    put(AXIAL_VISCOSITY, p.axial.damping * p.axial.stiffness);
+    put(COMPRESSION_LIMIT, p.axial.compression_limit);
+    put(AXIAL_RESIDUAL, p.axial.residual);
+    put(BENDING_STIFFNESS, p.bending_stiffness);
+    put(COMPRESSION, p.compression);
+    put(NATURAL_STRETCH, p.natural_stretch);
+    put(TRANSPORT_GROWTH, p.flow.active ? p.flow.growth : 0.0);
+    put(TRANSPORT_ACCELERATION, p.flow.active ? p.flow.acceleration : 0.0);
+    put(TRANSPORT_SPEED_A, p.flow.active ? p.flow.speed_a : 0.0);
+    put(TRANSPORT_SPEED_B, p.flow.active ? p.flow.speed_b : 0.0);
+    put(TRANSPORT_RATE_A, p.flow.active ? p.flow.rate_a : 0.0);
+    put(TRANSPORT_RATE_B, p.flow.active ? p.flow.rate_b : 0.0);
+    block.damping[lane] = p.axial.damping > 0.0;
+    block.compression[lane] = p.compression > 0.0;
+    block.flow[lane] = p.flow.active;
+  }
+}
+
+ElementBlock ElementAssembler::block(const EnvironmentModel& sea, const Surroundings& around,
+                                     const CableState& state, int first, int count, double* water) const
+{
+  const Constants& constants = blocks_[first / BLOCK];
+  const auto any = [](const bool(&flags)[BLOCK])
+  { return std::find(flags, flags + BLOCK, true) != flags + BLOCK; };
+  ElementBlock out{};
+  out.count = count;
+  out.nodes_after = count_ - first - count;
+  out.constants = constants.x[0];
+  out.has_damping = any(constants.damping);
+  out.has_compression = any(constants.compression);
+  out.has_transport = any(constants.flow);
+  out.q = state.q[first].data();
+  out.v = state.v[first].data();
+  out.a = state.a[first].data();
+  out.around = &around;
+  if (!sea.isUniform())
+  {
+    double length[BLOCK];
+    std::copy(constants.x[LENGTH], constants.x[LENGTH] + BLOCK, length);
+    sampleWater(sea, state, first, count, length, water);
+    out.water = water;
+  }
+  return out;
+}
+
+void ElementAssembler::residuals(const Kernel& kernel, const EnvironmentModel& sea, const CableState& state,
+                                 int first, int count, ElementCoords* out) const
+{
+  alignas(64) double water[WATER_TABLE];
+  const Surroundings around = surroundings(sea);
+  ElementBlock b = block(sea, around, state, first, count, water);
+  b.element_residual = out->data();
+  kernel.residuals(b);
+}
+
+void ElementAssembler::assemble(const Kernel& kernel, const EnvironmentModel& sea, const CableState& state,
+                                const TangentWeights& weights, TangentKind kind, NodeField& residual,
+                                BlockTridiagonal& tangent) const
+{
+  alignas(64) double water[WATER_TABLE];
+  const Surroundings around = surroundings(sea);
+  residual.front().setZero();
+  tangent.diagonal(0).setZero();
+  for (int first = 0; first < count_; first += BLOCK)
+  {
+    ElementBlock b = block(sea, around, state, first, std::min(BLOCK, count_ - first), water);
+    b.mass = weights.mass;
+    b.damping = weights.damping;
+    b.stiffness = weights.stiffness;
+    b.residual = residual[first].data();
+    b.diagonal = tangent.diagonalData(first);
+    b.upper = tangent.upperData(first);
+    b.lower = tangent.lowerData(first);
+    if (kind == TangentKind::SYMMETRIC)
+      kernel.symmetric(b);
+    else
+      kernel.complete(b);
+  }
+}
+
+}  // namespace tether_monitor::core

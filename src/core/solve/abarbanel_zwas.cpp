@@ -1,0 +1,209 @@
+#include "tether_monitor/core/solve/abarbanel_zwas.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tether_monitor/core/assembly/prescribed_ends.h"
+#include "tether_monitor/core/base/bounds_check.h"
+#include "tether_monitor/core/base/so3.h"
+#include "tether_monitor/core/contact/contact_law.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+// Largest eigenfrequency of a Hermite element: axial 6.48 c / l, bending 92 sqrt(EI / m) / l^2.
+constexpr double AXIAL_SHARE = 42.0, BENDING_SHARE = 8400.0;
+constexpr double MASS_SHARE = 4.0;  // a point of an element moves a part of its mass only
+const TangentWeights MASS_ONLY{1.0, 0.0, 0.0};
+}  // namespace
+
+AbarbanelZwas::AbarbanelZwas(const CableModel& model, int corrections)
+  : corrections_(corrections),
+    residual_(model.nodes(), NodeCoords::Zero()),
+    mass_(model.nodes()),
+    blocks_(model.nodes())
+{
+  BoundsCheck check("solver.");
+  check.within("corrections", corrections, 0, 100, "[-]");
+  throwIfInvalid("AbarbanelZwas", check.problems());
+  trial_ = CableState(0.0, residual_, Vector3::Zero());
+  prepareObstacles(model);
+}
+
+void AbarbanelZwas::prepareObstacles(const CableModel& model)
+{
+  bordered_ = borderedSystemFor(model, movable_obstacles_);
+  initializeContact(model, trial_);
+}
+
+double AbarbanelZwas::stableStep(const CableModel& model)
+{
+  const PrescribedEnds held = prescribedEnds(model);
+  const double limit = held.vessel && held.vehicle ? HELD_LIMIT : FREE_LIMIT;
+  double touch = 0.0, brake = 0.0;  // stiffest surface [N/m^3] and its damper [N s/m^3]
+  if (model.sea().hasSeabed())
+  {
+    touch = model.environment().seabed->normal_stiffness;
+    brake = model.environment().seabed->damping;
+  }
+  for (const Obstacle& obstacle : model.environment().obstacles)
+  {
+    touch = std::max(touch, obstacle.stiffness);
+    brake = std::max(brake, OBSTACLE_DAMPING * obstacle.stiffness);
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < model.elements(); ++i)
+  {
+    const ElementParameters& e = model.element(i);
+    const double l2 = e.length * e.length;
+    const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
+    const double axial = stretch * AXIAL_SHARE * e.axial.stiffness / (e.mass * l2);
+    const double bending = BENDING_SHARE * e.bending_stiffness / (e.mass * l2 * l2);
+    const double contact = MASS_SHARE * touch * e.diameter / e.mass;
+    const double w = std::sqrt(axial + bending + contact);
+    const double damping = 0.5 * (e.axial.damping * axial + MASS_SHARE * brake * e.diameter / e.mass) / w;
+    const double h = limit * std::sqrt(AXIAL_SHARE) / w;
+    smallest = std::min(smallest, h * (std::hypot(1.0, damping) - damping));
+  }
+  return smallest;
+}
+
+void AbarbanelZwas::assemble(const CableModel& model, const BoundaryConditions& ends, bool first)
+{
+  if (first || !movable_obstacles_.empty())
+  {
+    if (!movable_obstacles_.empty())
+      bordered_.setZero();
+    model.assemble(trial_, MASS_ONLY, residual_, mass_, TangentKind::SYMMETRIC,
+                   movable_obstacles_.empty() ? nullptr : &bordered_);
+  }
+  else
+  {
+    model.assemble(trial_, residual_);
+  }
+  const auto couple = [&](const RigidBody& body, std::size_t node, const AttitudeState& rotation,
+                          const Wrench& thrust, CondensedBody& coupling)
+  {
+    const AttachmentMotion at = attachmentMotion(trial_, node);
+    coupling.assemble(body, model.sea(), trial_.time, at, rotation, thrust, MASS_ONLY, residual_[node],
+                      mass_.diagonal(static_cast<int>(node)));
+    coupling.condense(residual_[node]);
+  };
+  if (model.bodies().vessel)
+    couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
+  if (model.bodies().vehicle)
+  {
+    RigidBody body = *model.bodies().vehicle;
+    body.force += ends.vehicle_force;
+    couple(body, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+  }
+
+  const PrescribedEnds held = prescribedEnds(model);
+  if (held.vessel)
+    residual_.front().head<3>().setZero();
+  if (held.vehicle)
+    residual_.back().head<3>().setZero();
+  if (!first)
+    return;
+
+  for (int row = 0; row < 3; ++row)
+  {
+    if (held.vessel)
+      mass_.imposeRow(0, row);
+    if (held.vehicle)
+      mass_.imposeRow(model.elements(), row);
+  }
+  for (int i = 0; i < model.nodes(); ++i)
+    blocks_[i].compute(mass_.diagonal(i));
+}
+
+void AbarbanelZwas::place(const CableModel& model, const BoundaryConditions& ends, double h,
+                          const CableState& state)
+{
+  for (std::size_t i = 0; i < state.q.size(); ++i)
+  {
+    // The layer of one step before, by the state's own rates; then (42).
+    const NodeCoords before = state.q[i] - h * state.v[i] + 0.5 * h * h * state.a[i];
+    trial_.q[i] = 2.0 * state.q[i] - before + h * h * trial_.a[i];
+    trial_.v[i] = (trial_.q[i] - state.q[i]) / h + 0.5 * h * trial_.a[i];
+  }
+  placePrescribedEnds(model, ends, trial_);
+  const auto rotate = [&](const AttitudeState& from, AttitudeState& to)
+  {
+    to.velocity = from.velocity + h * to.acceleration;
+    to.orientation = from.orientation * expSO3(h * from.velocity + 0.5 * h * h * to.acceleration);
+  };
+  rotate(state.vessel, trial_.vessel);
+  rotate(state.vehicle, trial_.vehicle);
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k)
+  {
+    ObstacleMotion& to = trial_.obstacles[k];
+    to.velocity = state.obstacles[k].velocity + h * to.acceleration;
+    to.position = state.obstacles[k].position + h * state.obstacles[k].velocity + 0.5 * h * h * to.acceleration;
+  }
+}
+
+SolveReport AbarbanelZwas::step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state)
+{
+  SolveReport report;
+  if (state.obstacles.size() != model.environment().obstacles.size())
+    initializeContact(model, state);
+  trial_.contact = state.contact;
+  trial_.contact.step = h;
+  trial_.time = state.time;
+  trial_.step = h;
+  trial_.q = state.q;
+  trial_.v = state.v;
+  trial_.vessel = state.vessel;
+  trial_.vehicle = state.vehicle;
+  trial_.obstacles = state.obstacles;
+  for (NodeCoords& a : trial_.a)
+    a.setZero();
+  trial_.vessel.acceleration.setZero();
+  trial_.vehicle.acceleration.setZero();
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.acceleration.setZero();
+
+  for (int k = 0; k <= corrections_; ++k)
+  {
+    // First the forces of the old layer and no neighbours (45), then those of the new layer (47).
+    assemble(model, ends, k == 0);
+    for (std::size_t i = 0; i < trial_.a.size(); ++i)
+      trial_.a[i] -= residual_[i] = blocks_[i].solve(residual_[i]).eval();
+    if (model.bodies().vessel)
+      trial_.vessel.acceleration -= vessel_.solve(residual_.front());
+    if (model.bodies().vehicle)
+      trial_.vehicle.acceleration -= vehicle_.solve(residual_.back());
+    for (const int p : movable_obstacles_)
+      trial_.obstacles[p].acceleration = -bordered_.residual(p) / model.environment().obstacles[p].mass;
+    if (k == 0)
+    {
+      trial_.time = state.time + h;
+      if (ends.payout)
+        model.setPayout(ends.payout->at(trial_.time));
+    }
+    place(model, ends, h, state);
+    ++report.iterations;
+  }
+  if (!trial_.allFinite())
+  {
+    report.status = SolveStatus::SINGULAR;
+    return report;
+  }
+  report.steps = 1;
+  trial_.algorithmic_acceleration = trial_.a;
+  trial_.vessel.orientation.normalize();
+  trial_.vehicle.orientation.normalize();
+  trial_.vessel.algorithmic_acceleration = trial_.vessel.acceleration;
+  trial_.vehicle.algorithmic_acceleration = trial_.vehicle.acceleration;
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.algorithmic_acceleration = obstacle.acceleration;
+  commitFriction(model, trial_);
+  std::swap(state, trial_);
+  return report;
+}
+
+}  // namespace tether_monitor::core

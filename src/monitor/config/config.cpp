@@ -1,0 +1,100 @@
+#include "tether_monitor/monitor/config/config.h"
+
+#include <cmath>
+
+#include "tether_monitor/core/base/bounds_check.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+void add(const std::vector<std::string>& more, std::vector<std::string>& all)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> validate(const std::string& name, const AlarmConfig& alarm, Side side)
+{
+  core::BoundsCheck check("monitor.alarms." + name + ".");
+  check.notNegative("on_delay", alarm.timing.on_delay, "s");
+  check.notNegative("off_delay", alarm.timing.off_delay, "s");
+  check.notNegative("deadband", alarm.timing.deadband, "in the unit of the limit");
+  if (alarm.limit)
+    check.finite("limit", *alarm.limit, "the unit of the quantity");
+  if (alarm.warning)
+  {
+    const bool ordered =
+        !alarm.limit || (side == Side::ABOVE ? *alarm.warning <= *alarm.limit : *alarm.warning >= *alarm.limit);
+    check.check(std::isfinite(*alarm.warning) && ordered, "warning", *alarm.warning,
+                side == Side::ABOVE ? "<= limit" : ">= limit");
+  }
+  return check.problems();
+}
+
+std::vector<std::string> validate(const NavigationConfig& n)
+{
+  core::BoundsCheck check("vehicle.");
+  check.positive("position_stddev", n.position_stddev, "m");
+  check.positive("velocity_stddev", n.velocity_stddev, "m/s");
+  check.within("latency", n.latency, 0.0, 30.0, "s");
+  if (n.force_stddev)
+    check.positive("force_stddev", *n.force_stddev, "N");
+  check.positive("drag_stddev", n.drag_stddev, "[-]");
+  core::BoundsCheck band("monitor.");
+  band.positive("degraded_stddev", n.degraded_stddev, "[-]");
+  band.check(std::isfinite(n.invalid_stddev) && n.invalid_stddev >= n.degraded_stddev, "invalid_stddev",
+             n.invalid_stddev, ">= degraded_stddev");
+  std::vector<std::string> all = check.problems();
+  add(band.problems(), all);
+  return all;
+}
+}  // namespace
+
+std::vector<std::string> validate(const Config& c)
+{
+  std::vector<std::string> all = core::validate(c.environment);
+  add(core::validate(c.tether), all);
+  add(core::validate(c.layout, c.tether.length), all);
+  add(core::validateElementCount(c.elements, c.tether.length, c.layout), all);
+  add(core::validate(c.solver), all);
+  if (c.vehicle_mode != VehicleMode::TRACKED)
+    add(core::validate(c.vehicle_body), all);
+  if (c.vehicle_mode == VehicleMode::OBSERVED)
+    add(validate(c.navigation), all);
+  core::BoundsCheck vessel("vessel.");
+  if (c.vessel.position_stddev)
+    vessel.positive("position_stddev", *c.vessel.position_stddev, "m");
+  if (c.vessel.velocity_stddev)
+    vessel.positive("velocity_stddev", *c.vessel.velocity_stddev, "m/s");
+  add(vessel.problems(), all);
+
+  if (c.winch)
+    add(core::validate(*c.winch, c.tether.diameter, c.tether.length, c.tether.min_bend_radius.value_or(0.0)), all);
+  core::BoundsCheck strumming("tether.");
+  strumming.within("drag_amplification", c.drag_amplification, 1.0, 10.0, "[-]");
+  if (c.accuracy)
+    strumming.within("accuracy", *c.accuracy, 1e-5, 0.1, "[-]");
+  add(strumming.problems(), all);
+
+  core::BoundsCheck check("monitor.");
+  check.within("rate", c.rate, 0.1, 1000.0, "Hz");
+  check.positive("pose_timeout", c.pose_timeout, "s");
+  check.check(std::isfinite(c.invalid_timeout) && c.invalid_timeout >= c.pose_timeout, "invalid_timeout",
+              c.invalid_timeout, ">= pose_timeout, in s");
+  add(check.problems(), all);
+
+  core::BoundsCheck levers;
+  levers.finite("vessel.attachment (norm)", c.vessel.attachment.norm(), "m");
+  levers.finite("vehicle.attachment (norm)", c.vehicle.attachment.norm(), "m");
+  levers.check(!c.world_frame.empty(), "world_frame (number of characters)", 0, "a frame's name");
+  add(levers.problems(), all);
+
+  add(validate("over_tension", c.alarms.over_tension, Side::ABOVE), all);
+  add(validate("breaking", c.alarms.breaking, Side::ABOVE), all);
+  add(validate("slack", c.alarms.slack, Side::BELOW), all);
+  add(validate("bend_radius", c.alarms.bend_radius, Side::BELOW), all);
+  add(validate("stale_input", c.alarms.stale_input, Side::ABOVE), all);
+  return all;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,117 @@
+#include "tether_monitor/monitor/estimate/estimate_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double LARGEST_STRAIN = 0.1;       // [-]
+constexpr double LARGEST_TURN = 1.2;         // [rad] over one element
+constexpr double LARGEST_COMPRESSION = 0.5;  // loss of diameter [-]
+
+// Angle of a direction below the horizontal [rad].
+double angleBelow(const core::Vector3& direction)
+{
+  return std::atan2(-direction.z(), std::hypot(direction.x(), direction.y()));
+}
+}  // namespace
+
+void summarize(const core::CableModel& model, TetherEstimate& e)
+{
+  const core::StationProfile& at = e.stations;
+  const auto most = std::max_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
+  const auto least = std::min_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
+  const auto bend = std::min_element(at.bend_radius.begin(), at.bend_radius.end()) - at.bend_radius.begin();
+  e.length = at.s.back();
+  e.max_tension = at.tension[most];
+  e.max_tension_s = at.s[most];
+  e.min_tension = at.tension[least];
+  e.min_tension_s = at.s[least];
+  e.min_bend_radius = at.bend_radius[bend];
+  e.min_bend_radius_s = at.s[bend];
+  e.vessel_tension = at.ends.vessel.norm();
+  e.vehicle_tension = at.ends.vehicle.norm();
+  e.working_utilisation = e.breaking_utilisation = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < model.elements(); ++i)
+    for (int k = 2 * i; k <= 2 * i + 2; ++k)
+    {
+      const double working = at.tension[k] / model.elementProperties(i).working_load;
+      e.breaking_utilisation =
+          std::max(e.breaking_utilisation, at.tension[k] / model.elementProperties(i).breaking_load);
+      if (working > e.working_utilisation)
+      {
+        e.working_utilisation = working;
+        e.working_utilisation_s = at.s[k];
+      }
+    }
+  const double reference = model.bendLimit().value_or(1.0);
+  e.governing_bend_radius = std::numeric_limits<double>::infinity();
+  e.governing_bend_radius_s = e.min_bend_radius_s;
+  for (int i = 0; i < model.elements(); ++i)
+    for (int k = 2 * i; k <= 2 * i + 2; ++k)
+    {
+      const double scaled =
+          at.bend_radius[k] * reference / model.elementProperties(i).min_bend_radius.value_or(reference);
+      if (scaled < e.governing_bend_radius)
+      {
+        e.governing_bend_radius = scaled;
+        e.governing_bend_radius_s = at.s[k];
+      }
+    }
+  e.vessel_end_angle = angleBelow(at.vessel_direction);
+  e.vehicle_end_angle = angleBelow(at.vehicle_direction);
+}
+
+void describeContact(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& e)
+{
+  core::summarizeContact(model, state, e.contact);
+  e.seabed_contact_length = e.contact.seabed_length;
+  e.touchdown_s = e.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : e.contact.touchdown_s;
+  for (core::ContactSummary::ObstacleContact& touch : e.contact.obstacles)
+    touch.place += origin;
+}
+
+void describeVehicle(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+                     TetherEstimate& e)
+{
+  e.has_vehicle = true;
+  e.vehicle = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, model.bodies().vehicle->attachment);
+  e.vehicle.position += origin;
+}
+
+Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
+{
+  for (int i = 0; i < model.elements(); ++i)
+    if (-e.stations.position[2 * i + 1].z() * model.element(i).compression > LARGEST_COMPRESSION)
+      return Reason::OUT_OF_RANGE;
+  const auto [least, most] = std::minmax_element(e.stations.strain.begin(), e.stations.strain.end());
+  if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN)
+    return Reason::OUT_OF_RANGE;
+  const bool is_crumpled = *least < -LARGEST_STRAIN;  // no tether bears that push: a kink that the mesh rounds off
+  return is_crumpled || e.stations.max_element_rotation > LARGEST_TURN ? Reason::MESH_COARSE : Reason::NONE;
+}
+
+void invalidate(Reason reason, TetherEstimate& e)
+{
+  constexpr double NONE = TetherEstimate::NONE;
+  e.status = Status::INVALID;
+  e.reason = reason;
+  e.has_stations = false;
+  e.length = e.max_tension = e.max_tension_s = e.min_tension = e.min_tension_s = NONE;
+  e.working_utilisation_s = NONE;
+  e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
+  e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
+  e.seabed_contact_length = e.touchdown_s = e.governing_bend_radius = e.governing_bend_radius_s = NONE;
+  e.has_vehicle = false;
+  e.vessel_tension_stddev = e.vehicle_tension_stddev = e.vehicle_position_stddev = NONE;
+  e.vehicle_velocity_stddev = e.disturbance_stddev = NONE;
+  e.disturbance.setConstant(NONE);
+  for (core::ContactSummary::ObstacleContact& touch : e.contact.obstacles)
+    touch = core::ContactSummary::ObstacleContact();
+}
+
+}  // namespace tether_monitor::monitor

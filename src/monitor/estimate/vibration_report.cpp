@@ -1,0 +1,39 @@
+#include "tether_monitor/monitor/estimate/vibration_report.h"
+
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double NEAR = 0.15;  // relative distance of frequencies that resonate
+}
+
+VibrationReport reportVibration(const TetherEstimator& estimator, int modes)
+{
+  VibrationReport report;
+  if (!estimator.estimate().has_stations || !estimator.isSettled())
+    return report;
+  const core::CableState& state = estimator.state();
+  report.strumming = estimator.strumming();
+  report.modes = core::naturalModes(estimator.model(), state, modes);
+  for (core::Mode& mode : report.modes)
+    mode.shape.clear();
+  const core::AiryWave& wave = estimator.model().sea().wave();
+  if (wave.isCalm())
+    return report;
+  report.encounter_frequency = wave.encounterFrequency(state.v.front().head<3>()) / (2.0 * M_PI);
+  double nearest = NEAR;
+  for (const core::Mode& mode : report.modes)
+  {
+    const double distance = std::abs(mode.frequency / report.encounter_frequency - 1.0);
+    if (distance < nearest)
+    {
+      nearest = distance;
+      report.resonant = mode;
+    }
+  }
+  return report;
+}
+
+}  // namespace tether_monitor::monitor

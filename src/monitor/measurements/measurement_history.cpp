@@ -1,0 +1,82 @@
+#include "tether_monitor/monitor/measurements/measurement_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double SAME_TIME = 1e-6;  // [s]
+constexpr double COARSE = 0.005;    // [m]: noise that never gives the same number thrice
+constexpr int FROZEN = 3;           // equal positions in a row that cannot be measurements
+}  // namespace
+
+// Positions that scatter do not repeat to the last digit: the source has stopped and its driver goes on.
+bool MeasurementHistory::isFrozen(const VehicleMeasurement& fix)
+{
+  if (fix.kind != VehicleMeasurement::Kind::POSITION)
+    return false;
+  core::Vector3 value = fix.value;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!fix.measuresPosition(axis))
+      value[axis] = std::numeric_limits<double>::infinity();
+  repeats_ = value == last_value_ ? repeats_ + 1 : 1;
+  last_value_ = value;
+  return repeats_ >= FROZEN && fix.stddev.minCoeff() > COARSE;
+}
+
+Rejection MeasurementHistory::add(const VehicleMeasurement& fix, double earliest)
+{
+  if (!std::isfinite(fix.t) || !fix.value.allFinite() || fix.stddev.hasNaN() || !(fix.stddev.minCoeff() > 0.0))
+    return Rejection::NOT_FINITE;
+  const auto is_same = [&](const VehicleMeasurement& other)
+  { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind; };
+  if (std::any_of(fixes_.begin(), fixes_.end(), is_same))
+    return Rejection::REPEATED;
+  if (fix.t <= earliest)
+    return Rejection::TOO_LATE;
+  if (isFrozen(fix))
+    return Rejection::FROZEN;
+  if (fixes_.size() == CAPACITY)
+  {
+    dropped_until_ = fixes_[CAPACITY / 2 - 1].t;
+    fixes_.erase(fixes_.begin(), fixes_.begin() + CAPACITY / 2);
+  }
+  const auto place = std::upper_bound(fixes_.begin(), fixes_.end(), fix.t,
+                                      [](double t, const VehicleMeasurement& other) { return t < other.t; });
+  fixes_.insert(place, fix);
+  earliest_unprocessed_ = std::min(earliest_unprocessed_, fix.t);
+  return Rejection::NONE;
+}
+
+void MeasurementHistory::clear()
+{
+  fixes_.clear();
+  markProcessed();
+  dropped_until_ = -std::numeric_limits<double>::infinity();
+  repeats_ = 0;
+}
+
+void MeasurementHistory::discardBefore(double t)
+{
+  const auto first = std::lower_bound(fixes_.begin(), fixes_.end(), t,
+                                      [](const VehicleMeasurement& fix, double x) { return fix.t < x; });
+  fixes_.erase(fixes_.begin(), first);
+}
+
+void MeasurementHistory::markProcessed()
+{
+  earliest_unprocessed_ = std::numeric_limits<double>::infinity();
+}
+
+bool MeasurementHistory::isValid() const
+{
+  bool sound = fixes_.size() <= CAPACITY && !std::isnan(earliest_unprocessed_);
+  for (std::size_t i = 0; i < fixes_.size(); ++i)
+    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.allFinite() &&
+            fixes_[i].stddev.minCoeff() > 0.0 && (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
+  return sound;
+}
+
+}  // namespace tether_monitor::monitor

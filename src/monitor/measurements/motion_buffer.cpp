@@ -1,0 +1,241 @@
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double RATES_REACH = 0.5;  // [s] over which a measured rate may stand for another time
+constexpr double UNIT_TOLERANCE = 0.01;
+
+// Keeps a full buffer from growing: the older half goes.
+template <typename T>
+void makeRoom(std::vector<T>& buffer)
+{
+  if (buffer.size() == MotionBuffer::CAPACITY)
+    buffer.erase(buffer.begin(), buffer.begin() + MotionBuffer::CAPACITY / 2);
+}
+
+core::Vector3 rotationRate(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double duration)
+{
+  Eigen::Quaterniond turn = to * from.conjugate();
+  if (turn.w() < 0.0)
+    turn.coeffs() *= -1.0;
+  const double sine = turn.vec().norm();
+  if (sine < 1e-12)
+    return core::Vector3::Zero();
+  return turn.vec() * (2.0 * std::atan2(sine, turn.w()) / (sine * duration));
+}
+
+Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const core::Vector3& rate, double duration)
+{
+  const double angle = rate.norm() * duration;
+  if (std::abs(angle) < 1e-12)
+    return from;
+  return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, rate.normalized())) * from).normalized();
+}
+}  // namespace
+
+BodyState BodyState::ofNode(const core::CableState& state, std::size_t node, const core::AttitudeState& rotation,
+                            const core::Vector3& attachment)
+{
+  BodyState body;
+  const core::Vector3 lever = rotation.orientation * attachment;
+  body.orientation = rotation.orientation;
+  body.angular_velocity = rotation.orientation * rotation.velocity;
+  body.position = state.q[node].head<3>() - lever;
+  body.velocity = state.v[node].head<3>() - body.angular_velocity.cross(lever);
+  return body;
+}
+
+core::EndMotion BodyState::attachmentPoint(const core::Vector3& lever) const
+{
+  const core::Vector3 arm = orientation * lever;
+  return {position + arm, velocity + angular_velocity.cross(arm)};
+}
+
+const char* describe(Rejection rejection)
+{
+  switch (rejection)
+  {
+    case Rejection::NONE:
+      return "accepted";
+    case Rejection::NOT_FINITE:
+      return "a number is not finite";
+    case Rejection::BAD_QUATERNION:
+      return "the orientation is not a unit quaternion";
+    case Rejection::OUT_OF_ORDER:
+      return "the stamp is not later than the one before";
+    case Rejection::REPEATED:
+      return "there is a measurement of that stamp already";
+    case Rejection::TOO_LATE:
+      return "it is older than what can still be put in its place (vehicle.latency tells how late they are)";
+    case Rejection::NOT_MEASURED:
+      return "its covariance says that the position was not measured";
+    case Rejection::FROZEN:
+      return "the position repeats to the last digit: its source has stopped";
+  }
+  return "unknown";
+}
+
+MotionBuffer::MotionBuffer()
+{
+  poses_.reserve(CAPACITY);
+  rates_.reserve(CAPACITY);
+}
+
+Rejection MotionBuffer::addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation)
+{
+  if (!std::isfinite(t) || !position.allFinite() || !orientation.coeffs().allFinite())
+    return Rejection::NOT_FINITE;
+  if (std::abs(orientation.norm() - 1.0) > UNIT_TOLERANCE)
+    return Rejection::BAD_QUATERNION;
+  if (!poses_.empty() && t <= poses_.back().t)
+    return Rejection::OUT_OF_ORDER;
+  makeRoom(poses_);
+  poses_.push_back({t, position, orientation.normalized()});
+  return Rejection::NONE;
+}
+
+Rejection MotionBuffer::addTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity)
+{
+  if (!std::isfinite(t) || !velocity.allFinite() || !angular_velocity.allFinite())
+    return Rejection::NOT_FINITE;
+  if (!rates_.empty() && t <= rates_.back().t)
+    return Rejection::OUT_OF_ORDER;
+  makeRoom(rates_);
+  rates_.push_back({t, velocity, angular_velocity});
+  return Rejection::NONE;
+}
+
+void MotionBuffer::clear()
+{
+  poses_.clear();
+  rates_.clear();
+}
+
+double MotionBuffer::age(double t) const
+{
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  return after == poses_.begin() ? std::numeric_limits<double>::infinity() : t - std::prev(after)->t;
+}
+
+double MotionBuffer::poseInterval(double t) const
+{
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  return after - poses_.begin() < 2 ? 0.0 : std::prev(after)->t - std::prev(after, 2)->t;
+}
+
+bool MotionBuffer::covers(double t) const
+{
+  return !poses_.empty() && poses_.back().t >= t;
+}
+
+Eigen::Quaterniond MotionBuffer::lastOrientation() const
+{
+  return poses_.empty() ? Eigen::Quaterniond::Identity() : poses_.back().orientation;
+}
+
+double MotionBuffer::lastPoseTime() const
+{
+  return poses_.empty() ? -std::numeric_limits<double>::infinity() : poses_.back().t;
+}
+
+std::optional<MotionBuffer::Rates> MotionBuffer::measuredRates(double t) const
+{
+  if (rates_.empty())
+    return std::nullopt;
+  const auto after =
+      std::lower_bound(rates_.begin(), rates_.end(), t, [](const Rates& r, double x) { return r.t < x; });
+  if (after == rates_.end())
+    return t - rates_.back().t <= RATES_REACH ? std::optional<Rates>(rates_.back()) : std::nullopt;
+  if (after == rates_.begin())
+    return after->t - t <= RATES_REACH ? std::optional<Rates>(*after) : std::nullopt;
+  const Rates& lo = *std::prev(after);
+  if (after->t - lo.t > 2.0 * RATES_REACH)
+    return std::nullopt;
+  const double x = (t - lo.t) / (after->t - lo.t);
+  return Rates{t, lo.velocity + x * (after->velocity - lo.velocity),
+               lo.angular_velocity + x * (after->angular_velocity - lo.angular_velocity)};
+}
+
+MotionBuffer::Slope MotionBuffer::ratesAt(std::size_t pose, double t) const
+{
+  if (const std::optional<Rates> measured = measuredRates(t))
+    return {measured->velocity, measured->angular_velocity};
+  if (poses_.size() < 2)
+    return {core::Vector3::Zero(), core::Vector3::Zero()};
+
+  // Straight line through the poses around `pose`: half a window to each side, at least one neighbour.
+  std::size_t first = pose;
+  std::size_t last = pose;
+  while (first > 0 && poses_[pose].t - poses_[first - 1].t <= 0.5 * VELOCITY_WINDOW)
+    --first;
+  while (last + 1 < poses_.size() && poses_[last + 1].t - poses_[pose].t <= 0.5 * VELOCITY_WINDOW)
+    ++last;
+  if (last == pose)
+    while (first > 0 && poses_[pose].t - poses_[first - 1].t <= VELOCITY_WINDOW)
+      --first;
+  if (first == last)
+    first > 0 ? --first : ++last;
+
+  const double n = last - first + 1;
+  double mean_t = 0.0;
+  core::Vector3 mean = core::Vector3::Zero();
+  for (std::size_t i = first; i <= last; ++i)
+  {
+    mean_t += (poses_[i].t - poses_[first].t) / n;
+    mean += (poses_[i].position - poses_[first].position) / n;
+  }
+  double spread = 0.0;
+  core::Vector3 slope = core::Vector3::Zero();
+  for (std::size_t i = first; i <= last; ++i)
+  {
+    const double dt = poses_[i].t - poses_[first].t - mean_t;
+    spread += dt * dt;
+    slope += dt * (poses_[i].position - poses_[first].position - mean);
+  }
+  return {slope / spread,
+          rotationRate(poses_[first].orientation, poses_[last].orientation, poses_[last].t - poses_[first].t)};
+}
+
+bool MotionBuffer::isValid() const
+{
+  bool sound = poses_.size() <= CAPACITY && rates_.size() <= CAPACITY;
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    sound = sound && std::isfinite(poses_[i].t) && poses_[i].position.allFinite() &&
+            std::abs(poses_[i].orientation.norm() - 1.0) < 1e-6 && (i == 0 || poses_[i].t > poses_[i - 1].t);
+  for (std::size_t i = 0; i < rates_.size(); ++i)
+    sound = sound && std::isfinite(rates_[i].t) && rates_[i].velocity.allFinite() &&
+            rates_[i].angular_velocity.allFinite() && (i == 0 || rates_[i].t > rates_[i - 1].t);
+  return sound;
+}
+
+BodyState MotionBuffer::at(double t) const
+{
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });
+  const std::size_t hi = after - poses_.begin();
+  if (hi == 0 || hi == poses_.size())
+  {
+    const std::size_t known = hi == 0 ? 0 : poses_.size() - 1;
+    const Pose& pose = poses_[known];
+    const Slope rates = ratesAt(known, pose.t);
+    const double dt = hi == 0 ? 0.0 : t - pose.t;
+    return {pose.position + dt * rates.velocity, turned(pose.orientation, rates.angular_velocity, dt),
+            rates.velocity, rates.angular_velocity};
+  }
+  const Pose& a = poses_[hi - 1];
+  const Pose& b = poses_[hi];
+  const core::EndTrajectory path = core::EndTrajectory::between(a.t, {a.position, ratesAt(hi - 1, a.t).velocity},
+                                                                b.t, {b.position, ratesAt(hi, b.t).velocity});
+  return {path.position(t), a.orientation.slerp((t - a.t) / (b.t - a.t), b.orientation), path.velocity(t),
+          rotationRate(a.orientation, b.orientation, b.t - a.t)};
+}
+
+}  // namespace tether_monitor::monitor

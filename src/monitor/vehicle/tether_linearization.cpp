@@ -1,0 +1,45 @@
+#include "tether_monitor/monitor/vehicle/tether_linearization.h"
+
+#include "tether_monitor/core/assembly/station_profile.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
+{
+  TensionJacobian slope;
+  slope.velocity = (fast - slow) / (TetherLinearization::FIT_RATE_HIGH - TetherLinearization::FIT_RATE_LOW);
+  slope.position = slow - TetherLinearization::FIT_RATE_LOW * slope.velocity;
+  return slope;
+}
+}  // namespace
+
+bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::CableModel& model,
+                     const core::CableState& state, double wave_rate, TetherLinearization& fit)
+{
+  core::EndDynamicStiffness slow, fast, wave;
+  if (!solver.solve(model, state, TetherLinearization::FIT_RATE_LOW, slow) ||
+      !solver.solve(model, state, TetherLinearization::FIT_RATE_HIGH, fast) ||
+      !solver.solve(model, state, wave_rate, wave))
+    return false;
+  const core::RigidBody& body = *model.bodies().vehicle;
+  const core::Matrix3 R = state.vehicle.orientation.toRotationMatrix();
+  const core::EndForces forces = core::endForces(model, state);
+  const RowVector3 at_vessel =
+      -forces.vessel.normalized().transpose();  // a node receives what its body gets, negative
+  const RowVector3 at_vehicle = -forces.vehicle.normalized().transpose();
+  constexpr double A = TetherLinearization::FIT_RATE_LOW, B = TetherLinearization::FIT_RATE_HIGH;
+
+  fit.mass =
+      R * core::Matrix3((core::Vector3::Constant(body.mass) + body.added_mass).asDiagonal()) * R.transpose();
+  fit.damping = (fast.vehicle - slow.vehicle - (B * B - A * A) * fit.mass) / (B - A);
+  fit.stiffness = slow.vehicle - A * fit.damping - A * A * fit.mass;
+  fit.chord = (state.q.back().head<3>() - state.q.front().head<3>()).normalized();
+  fit.vessel = slopeBetween(at_vessel * slow.transfer, at_vessel * fast.transfer);
+  fit.vehicle = slopeBetween(at_vehicle * slow.tether, at_vehicle * fast.tether);
+  fit.vessel_tension_jacobian = at_vessel * wave.vessel;
+  return true;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,343 @@
+#include "tether_monitor/monitor/vessel/vessel_motion_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double SNAPSHOT_INTERVAL = 0.15;  // [s]
+constexpr std::size_t SNAPSHOTS = 32;
+constexpr double GATE = 6.0;                     // standard deviations: farther is an outlier
+constexpr int RESET_COUNT = 4;                   // so many outliers in a row are the truth
+constexpr double FASTEST_VESSEL = 20.0;          // [m/s]
+constexpr double INITIAL_VELOCITY_STDDEV = 5.0;  // standard deviation of a velocity that nobody knows [m/s]
+constexpr double READY_SPEED = 0.3;              // standard deviation of the velocity to begin with [m/s]
+constexpr double INITIAL_WINDOW = 9.5;           // [s] of recent positions to begin with
+constexpr double BLEND_BANDWIDTH = 0.3;          // rate at which a correction fades [1/s]
+constexpr double LARGE_VARIANCE_RATIO = 3.0;     // squared innovations over what they should be that mean so
+constexpr double FASTEST_FADING = 10.0;          // factor on it then
+constexpr double RAMP_DURATION = 14.0;           // [s] in which waves come on top of the track at the start
+constexpr double ACCELERATION_STDDEV = 0.015,
+                 VERTICAL_ACCELERATION_STDDEV = 0.001;  // acceleration of the track, across and up [m/s^2]
+constexpr double FASTEST_ERROR = 1.0;                   // rate of the errors that fading leaves [1/s]
+constexpr double LONGEST_GAP = 60.0;                    // [s]; after it a filter begins anew
+}  // namespace
+
+VesselMotionFilter::VesselMotionFilter()
+{
+  log_.reserve(CAPACITY);
+  snapshots_.reserve(SNAPSHOTS);
+  clear();
+}
+
+void VesselMotionFilter::clear()
+{
+  filters_ = {AxisKalmanFilter(ACCELERATION_STDDEV), AxisKalmanFilter(ACCELERATION_STDDEV),
+              AxisKalmanFilter(VERTICAL_ACCELERATION_STDDEV)};
+  noise_ = velocity_noise_ = std::array<DifferenceNoiseEstimator, 3>();
+  log_.clear();
+  snapshots_.clear();
+  last_measured_.fill(-std::numeric_limits<double>::infinity());
+  consecutive_outliers_ = {};
+  for (PositionWindow& recent : position_windows_)
+    recent.clear();
+  track_velocity_stddev_.setZero();
+  blending_since_ = -std::numeric_limits<double>::infinity();
+}
+
+void VesselMotionFilter::start(double t, const core::EndMotion& end, double position_stddev,
+                               double velocity_stddev)
+{
+  clear();
+  for (int i = 0; i < 3; ++i)
+  {
+    filters_[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
+    last_measured_[i] = t;
+  }
+}
+
+Rejection VesselMotionFilter::addPosition(double t, const core::Vector3& position, const core::Vector3& stddev)
+{
+  return add({t, false, position, stddev});
+}
+
+Rejection VesselMotionFilter::addVelocity(double t, const core::Vector3& velocity, const core::Vector3& stddev)
+{
+  return add({t, true, velocity, stddev});
+}
+
+Rejection VesselMotionFilter::add(const Entry& given)
+{
+  Entry entry = given;
+  std::array<DifferenceNoiseEstimator, 3>& noise = entry.is_velocity ? velocity_noise_ : noise_;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool is_measured = !(entry.stddev[i] > UNMEASURED);
+    if (std::isnan(entry.stddev[i]))
+      entry.stddev[i] = 0.0;
+    if (is_measured && !std::isfinite(entry.value[i]))
+      return Rejection::NOT_FINITE;
+    if (!is_measured)
+      entry.stddev[i] = std::numeric_limits<double>::infinity();
+  }
+  if (!std::isfinite(entry.t))
+    return Rejection::NOT_FINITE;
+  for (auto e = log_.rbegin(); e != log_.rend() && e->t >= entry.t; ++e)
+    if (e->t == entry.t && e->is_velocity == entry.is_velocity && e->value == entry.value)
+      return Rejection::REPEATED;
+  const bool is_late = !log_.empty() && entry.t < log_.back().t;
+  if (is_late && (snapshots_.empty() || entry.t < snapshots_.front().t))
+    return Rejection::TOO_LATE;
+  for (int i = 0; i < 3; ++i)
+    if (std::isfinite(entry.stddev[i]))
+    {
+      noise[i].add(entry.t, entry.value[i]);
+      if (!(entry.stddev[i] > 0.0))
+        entry.stddev[i] = noise[i].stddev();
+      if (entry.is_velocity)
+        continue;
+      last_measured_[i] = std::max(last_measured_[i], entry.t);
+      position_windows_[i].add({entry.t, entry.value[i], entry.stddev[i]});
+    }
+  if (log_.size() == CAPACITY)
+  {
+    log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
+    const auto first = std::find_if(snapshots_.begin(), snapshots_.end(),
+                                    [&](const Snapshot& c) { return c.t >= log_.front().t; });
+    snapshots_.erase(snapshots_.begin(), first);
+  }
+  const auto place =
+      std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
+  const std::size_t index = place - log_.begin();
+  log_.insert(place, entry);
+  if (!is_late)
+  {
+    run(entry);
+    return Rejection::NONE;
+  }
+  // Back to before it, and again.
+  while (snapshots_.size() > 1 && snapshots_.back().t > entry.t)
+    snapshots_.pop_back();
+  filters_ = snapshots_.back().filters;
+  consecutive_outliers_ = snapshots_.back().consecutive_outliers;
+  const double from = snapshots_.back().t;
+  snapshots_.pop_back();
+  std::size_t first = index;
+  while (first > 0 && log_[first - 1].t >= from)
+    --first;
+  for (std::size_t k = first; k < log_.size(); ++k)
+    run(log_[k]);
+  return Rejection::NONE;
+}
+
+void VesselMotionFilter::pushSnapshot(double t)
+{
+  if (snapshots_.size() == SNAPSHOTS)
+    snapshots_.erase(snapshots_.begin(), snapshots_.begin() + SNAPSHOTS / 2);
+  snapshots_.push_back({t, filters_, consecutive_outliers_});
+}
+
+void VesselMotionFilter::run(const Entry& entry)
+{
+  if (snapshots_.empty() || snapshots_.back().t + SNAPSHOT_INTERVAL <= entry.t)
+    pushSnapshot(entry.t);
+  for (int i = 0; i < 3; ++i)
+  {
+    AxisKalmanFilter& filter = filters_[i];
+    if (!std::isfinite(entry.stddev[i]))
+      continue;
+    if (!filter.isStarted() || entry.t - filter.time() > LONGEST_GAP)
+    {
+      if (!entry.is_velocity)
+        filter.start(entry.t, entry.value[i], entry.stddev[i], 0.0, INITIAL_VELOCITY_STDDEV);
+      continue;
+    }
+    filter.predict(entry.t);
+    if (entry.is_velocity)
+    {
+      const bool is_good = std::abs(filter.normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
+      if (is_good)
+        filter.correctVelocity(entry.value[i], entry.stddev[i]);
+      outliers_ += is_good ? 0 : 1;
+      continue;
+    }
+    const double innovation = filter.normalizedInnovation(entry.value[i], entry.stddev[i]);
+    if (std::abs(innovation) < GATE)
+    {
+      consecutive_outliers_[i] = 0;
+      filter.correctPosition(entry.value[i], entry.stddev[i]);
+    }
+    else if (++consecutive_outliers_[i] >= RESET_COUNT)
+    {
+      consecutive_outliers_[i] = 0;
+      filter.recordInnovation(innovation);
+      const double velocity = filter.at(entry.t).velocity;
+      const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
+      filter.start(entry.t, entry.value[i], entry.stddev[i], is_usable ? velocity : 0.0,
+                   is_usable ? 1.0 : INITIAL_VELOCITY_STDDEV);
+    }
+    else
+    {
+      ++outliers_;
+      if (consecutive_outliers_[i] > 1)
+        filter.recordInnovation(innovation);
+    }
+  }
+}
+
+bool VesselMotionFilter::hasPosition() const
+{
+  return std::all_of(filters_.begin(), filters_.end(), [](const AxisKalmanFilter& f) { return f.isStarted(); });
+}
+
+bool VesselMotionFilter::isReady(double t) const
+{
+  if (!hasPosition())
+    return false;
+  for (const PositionWindow& recent : position_windows_)
+    if (recent.span(t) < INITIAL_WINDOW)
+      return false;
+  return std::all_of(filters_.begin(), filters_.end(),
+                     [](const AxisKalmanFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
+}
+
+double VesselMotionFilter::age(double t) const
+{
+  return t - *std::min_element(last_measured_.begin(), last_measured_.end());
+}
+
+VesselMotionFilter::Motion VesselMotionFilter::at(double t) const
+{
+  return motionOf(filters_, t);
+}
+
+void VesselMotionFilter::startBlending(double t, const core::EndMotion& from)
+{
+  correction_ = core::EndMotion();
+  ramp_track_ = from;
+  last_output_ = filters_;
+  last_output_time_ = blending_since_ = t;
+}
+
+VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
+{
+  Motion motion = at(t);
+  if (!(blending_since_ > -std::numeric_limits<double>::infinity()))
+  {
+    startBlending(t, motion.end);
+    blending_since_ -= RAMP_DURATION;  // from the midst of the motion
+  }
+  const double dt = t - last_output_time_;
+  if (dt > 0.0)
+  {
+    // What the measurements since then have changed, and its critically damped fading.
+    const core::EndMotion expected = motionOf(last_output_, t).end;
+    // An axis that its filter does not predict has to be followed faster.
+    for (int i = 0; i < 3; ++i)
+    {
+      const double w = BLEND_BANDWIDTH * std::clamp(filters_[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO,
+                                                    1.0, FASTEST_FADING);
+      const double decay = std::exp(-w * dt), drive = correction_.velocity[i] + w * correction_.position[i];
+      correction_.position[i] =
+          decay * (correction_.position[i] + dt * drive) - (motion.end.position[i] - expected.position[i]);
+      correction_.velocity[i] =
+          decay * (correction_.velocity[i] - w * dt * drive) - (motion.end.velocity[i] - expected.velocity[i]);
+    }
+  }
+  last_output_ = filters_;
+  last_output_time_ = t;
+  motion.end.position += correction_.position;
+  motion.end.velocity += correction_.velocity;
+  rampWaveMotion(t, motion);
+  return motion;
+}
+
+bool VesselMotionFilter::isRampingUp(double t) const
+{
+  return t - blending_since_ < RAMP_DURATION;
+}
+
+// What is not shown yet of the waves is known to be missing.
+void VesselMotionFilter::rampWaveMotion(double t, Motion& motion) const
+{
+  if (!isRampingUp(t))
+    return;
+  const double x = std::max(0.0, (t - blending_since_) / RAMP_DURATION);
+  const double share = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+  const double rate = 30.0 * x * x * (1.0 - x) * (1.0 - x) / RAMP_DURATION;
+  const core::Vector3 track = ramp_track_.position + (t - blending_since_) * ramp_track_.velocity;
+  const core::Vector3 off = motion.end.position - track;
+  motion.position_stddev =
+      (motion.position_stddev.cwiseAbs2() + (1.0 - share) * (1.0 - share) * off.cwiseAbs2()).cwiseSqrt();
+  motion.end.velocity = ramp_track_.velocity + share * (motion.end.velocity - ramp_track_.velocity) + rate * off;
+  motion.end.position = track + share * off;
+}
+
+VesselMotionFilter::Motion VesselMotionFilter::motionOf(const Filters& filters, double t)
+{
+  Motion motion;
+  for (int i = 0; i < 3; ++i)
+  {
+    const AxisKalmanFilter::Motion m =
+        filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + LONGEST_GAP));
+    motion.end.position[i] = m.position;
+    motion.end.velocity[i] = m.velocity;
+    motion.position_stddev[i] = m.position_stddev;
+    motion.acceleration_stddev[i] = m.acceleration_stddev;
+  }
+  return motion;
+}
+
+core::EndMotion VesselMotionFilter::estimateTrack(double t)
+{
+  core::EndMotion end = at(t).end;
+  track_velocity_stddev_.setConstant(INITIAL_VELOCITY_STDDEV);
+  WaveProbabilities probabilities = uniformWavePrior();
+  for (const int i : {2, 0, 1})
+  {
+    if (position_windows_[i].empty())
+      continue;
+    const TrackFit found = position_windows_[i].fit(t, i == 2, probabilities);  // no vessel rises for long
+    if (i == 2)
+      probabilities = found.probabilities;
+    end.position[i] = found.position;
+    end.velocity[i] = found.velocity;
+    track_velocity_stddev_[i] = found.velocity_stddev;
+    if (!(found.wave_frequency > 0.0))
+      continue;
+    filters_[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+    for (Snapshot& snapshot : snapshots_)
+      snapshot.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+  }
+  return end;
+}
+
+double VesselMotionFilter::errorRate(const Motion& motion)
+{
+  return std::clamp(
+      std::sqrt(motion.acceleration_stddev.maxCoeff() / std::max(motion.position_stddev.maxCoeff(), 1e-6)), 0.3,
+      FASTEST_ERROR);
+}
+
+bool VesselMotionFilter::isValid() const
+{
+  const auto areSound = [](const auto& list)
+  { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isValid(); }); };
+  bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(filters_) &&
+               areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
+               areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.position.allFinite() &&
+               correction_.velocity.allFinite() && ramp_track_.position.allFinite() &&
+               ramp_track_.velocity.allFinite() && track_velocity_stddev_.allFinite() &&
+               blending_since_ <= last_output_time_;
+  for (std::size_t i = 0; i < log_.size(); ++i)
+    sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
+  for (std::size_t i = 0; i < snapshots_.size(); ++i)
+    sound = sound && std::isfinite(snapshots_[i].t) && areSound(snapshots_[i].filters) &&
+            (i == 0 || snapshots_[i].t >= snapshots_[i - 1].t);
+  return sound;
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,244 @@
+#include "tether_monitor/replay/result_files.h"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace tether_monitor::replay
+{
+using monitor::TetherEstimate;
+
+CsvWriter::CsvWriter(const std::string& path, const std::string& header)
+  : path_(path), file_(std::fopen(path.c_str(), "w"))
+{
+  if (!file_)
+    throw std::runtime_error("cannot write " + path);
+  std::fprintf(file_.get(), "%s\n", header.c_str());
+}
+
+void CsvWriter::separate()
+{
+  if (row_has_fields_)
+    std::fputc(',', file_.get());
+  row_has_fields_ = true;
+}
+
+CsvWriter& CsvWriter::number(double value)
+{
+  separate();
+  if (std::isnan(value))
+    std::fputs("nan", file_.get());
+  else
+    std::fprintf(file_.get(), "%.10g", value);
+  return *this;
+}
+
+CsvWriter& CsvWriter::time(double t)
+{
+  separate();
+  std::fprintf(file_.get(), "%.15g", t);
+  return *this;
+}
+
+CsvWriter& CsvWriter::text(const std::string& value)
+{
+  separate();
+  std::fputs(value.c_str(), file_.get());
+  return *this;
+}
+
+void CsvWriter::endRow()
+{
+  row_has_fields_ = false;
+  if (std::fputc('\n', file_.get()) == EOF || std::ferror(file_.get()))
+    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
+}
+
+void CsvWriter::close()
+{
+  if (std::fflush(file_.get()) != 0)
+    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
+}
+
+void makeFolder(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path))
+    throw std::runtime_error("cannot make the folder " + path + (error ? ": " + error.message() : ""));
+}
+
+namespace
+{
+const char* header(VehicleColumns vehicle)
+{
+  switch (vehicle)
+  {
+    case VehicleColumns::RELATIVE:
+      return ",vehicle_x,vehicle_y,vehicle_z";
+    case VehicleColumns::POSE:
+      return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw";
+    case VehicleColumns::OBSERVED:
+      return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw,vessel_tension_stddev,"
+             "vehicle_tension_stddev,vehicle_position_stddev";
+    case VehicleColumns::NONE:
+      break;
+  }
+  return "";
+}
+}  // namespace
+
+EndsFile::EndsFile(const std::string& folder, VehicleColumns vehicle)
+  : vehicle_(vehicle),
+    csv_(folder + "/ends.csv",
+         std::string("t,vessel_fx,vessel_fy,vessel_fz,vehicle_fx,vehicle_fy,vehicle_fz,max_tension,max_tension_s,"
+                     "stretched_length,status") +
+             header(vehicle))
+{
+}
+
+void EndsFile::write(const TetherEstimate& e)
+{
+  constexpr double NONE = TetherEstimate::NONE;
+  csv_.time(e.time);
+  for (const core::Vector3& force : {e.stations.ends.vessel, e.stations.ends.vehicle})
+    for (int i = 0; i < 3; ++i)
+      csv_.number(e.has_stations ? force[i] : NONE);
+  csv_.number(e.max_tension).number(e.max_tension_s);
+  csv_.number(e.has_stations ? e.stations.stretched_length : NONE);
+  csv_.text(describe(e.status));
+  if (vehicle_ == VehicleColumns::RELATIVE)
+  {
+    const core::Vector3 way = e.has_stations
+                                  ? core::Vector3(e.stations.position.back() - e.stations.position.front())
+                                  : core::Vector3::Constant(NONE);
+    csv_.number(way.x()).number(way.y()).number(way.z());
+  }
+  if (vehicle_ == VehicleColumns::POSE || vehicle_ == VehicleColumns::OBSERVED)
+  {
+    for (int i = 0; i < 3; ++i)
+      csv_.number(e.has_vehicle ? e.vehicle.position[i] : NONE);
+    for (int i = 0; i < 4; ++i)
+      csv_.number(e.has_vehicle ? e.vehicle.orientation.coeffs()[i] : NONE);
+  }
+  if (vehicle_ == VehicleColumns::OBSERVED)
+    csv_.number(e.vessel_tension_stddev).number(e.vehicle_tension_stddev).number(e.vehicle_position_stddev);
+  csv_.endRow();
+}
+
+ContactsFile::ContactsFile(const std::string& folder)
+  : csv_(folder + "/contacts.csv", "t,obstacle,fx,fy,fz,x,y,z,s")
+{
+}
+
+void ContactsFile::write(const TetherEstimate& e, const std::vector<core::Obstacle>& obstacles)
+{
+  for (std::size_t k = 0; k < obstacles.size() && k < e.contact.obstacles.size(); ++k)
+  {
+    const core::ContactSummary::ObstacleContact& touch = e.contact.obstacles[k];
+    if (!(touch.total > 0.0))
+      continue;
+    csv_.time(e.time).text(obstacles[k].name);
+    for (const core::Vector3& v : {touch.force, touch.place})
+      csv_.number(v.x()).number(v.y()).number(v.z());
+    csv_.number(touch.s).endRow();
+  }
+}
+
+ShapeFile::ShapeFile(const std::string& folder)
+  : csv_(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius,stress")
+{
+}
+
+void ShapeFile::write(const TetherEstimate& e)
+{
+  if (!e.has_stations)
+    return;
+  const core::StationProfile& at = e.stations;
+  for (std::size_t i = 0; i < at.s.size(); ++i)
+  {
+    csv_.time(e.time)
+        .number(at.s[i])
+        .number(at.position[i].x())
+        .number(at.position[i].y())
+        .number(at.position[i].z());
+    csv_.number(at.tension[i]).number(at.strain[i]).number(at.bend_radius[i]).number(at.stress[i]).endRow();
+  }
+}
+
+void writeModes(const std::string& folder, const std::vector<core::Mode>& modes, const std::vector<double>& node_s)
+{
+  CsvWriter frequencies(folder + "/modes.csv", "mode,kind,frequency_hz");
+  CsvWriter shapes(folder + "/mode_shapes.csv", "mode,s,dx,dy,dz");
+  for (std::size_t k = 0; k < modes.size(); ++k)
+  {
+    const double number = static_cast<double>(k + 1);
+    frequencies.number(number)
+        .text(modes[k].kind == core::ModeKind::AXIAL ? "axial" : "transverse")
+        .number(modes[k].frequency)
+        .endRow();
+    for (std::size_t i = 0; i < node_s.size(); ++i)
+      shapes.number(number)
+          .number(node_s[i])
+          .number(modes[k].shape[i][0])
+          .number(modes[k].shape[i][1])
+          .number(modes[k].shape[i][2])
+          .endRow();
+  }
+  frequencies.close();
+  shapes.close();
+}
+
+AlarmsFile::AlarmsFile(const std::string& folder)
+  : csv_(folder + "/alarms.csv", "t,name,state,severity,value,limit,s")
+{
+}
+
+void AlarmsFile::write(double t, const monitor::AlarmSet& set)
+{
+  last_.resize(set.alarms().size(), monitor::AlarmState::NORMAL);
+  for (std::size_t i = 0; i < last_.size(); ++i)
+  {
+    const monitor::Alarm& alarm = set.alarms()[i];
+    if (alarm.state() == last_[i])
+      continue;
+    last_[i] = alarm.state();
+    csv_.time(t)
+        .text(alarm.definition().name)
+        .text(describe(alarm.state()))
+        .text(describe(alarm.definition().severity));
+    csv_.number(alarm.value()).number(alarm.definition().limit).number(alarm.s()).endRow();
+  }
+}
+
+const char* describe(monitor::AlarmState state)
+{
+  switch (state)
+  {
+    case monitor::AlarmState::NORMAL:
+      return "NORMAL";
+    case monitor::AlarmState::UNACKNOWLEDGED:
+      return "UNACKNOWLEDGED";
+    case monitor::AlarmState::ACKNOWLEDGED:
+      return "ACKNOWLEDGED";
+    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
+      return "RETURNED_UNACKNOWLEDGED";
+  }
+  return "UNKNOWN";
+}
+
+const char* describe(monitor::Severity severity)
+{
+  switch (severity)
+  {
+    case monitor::Severity::WARNING:
+      return "WARNING";
+    case monitor::Severity::ALARM:
+      return "ALARM";
+    case monitor::Severity::CRITICAL:
+      return "CRITICAL";
+  }
+  return "UNKNOWN";
+}
+
+}  // namespace tether_monitor::replay

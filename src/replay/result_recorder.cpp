@@ -1,0 +1,121 @@
+#include "tether_monitor/replay/result_recorder.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace tether_monitor::replay
+{
+namespace
+{
+double cpuClock()
+{
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+std::string prepared(const std::string& folder)
+{
+  makeFolder(folder);
+  return folder;
+}
+
+nlohmann::json orNull(double value)
+{
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+}  // namespace
+
+ResultRecorder::ResultRecorder(const std::string& folder, double shape_rate, VehicleColumns vehicle)
+  : folder_(prepared(folder)), shape_rate_(shape_rate), ends_(folder, vehicle), alarms_(folder)
+{
+  if (shape_rate > 0.0)
+    shape_ = std::make_unique<ShapeFile>(folder);
+}
+
+void ResultRecorder::startTimer()
+{
+  step_began_ = cpuClock();
+}
+
+void ResultRecorder::stopTimer()
+{
+  const double used = cpuClock() - step_began_;
+  cpu_seconds_ += used;
+  worst_step_ = std::max(worst_step_, used);
+}
+
+void ResultRecorder::accumulate(const monitor::TetherEstimator& estimator)
+{
+  const monitor::TetherEstimate& e = estimator.estimate();
+  if (std::isnan(first_time_))
+    first_time_ = e.time;
+  last_time_ = e.time;
+  if (e.has_stations && !(e.max_tension <= max_tension_))
+  {
+    max_tension_ = e.max_tension;
+    max_tension_t_ = e.time;
+    max_tension_s_ = e.max_tension_s;
+  }
+  alarms_.write(e.time, estimator.alarms());
+}
+
+void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
+{
+  const monitor::TetherEstimate& e = estimator.estimate();
+  ends_.write(e);
+  ++status_count_[static_cast<int>(e.status)];
+  if (e.reason != monitor::Reason::NONE)
+    ++reason_count_[describe(e.reason)];
+  const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
+  if (!contacts_ && !obstacles.empty())
+    contacts_ = std::make_unique<ContactsFile>(folder_);
+  if (contacts_)
+    contacts_->write(e, obstacles);
+  if (shape_ && e.has_stations && e.time >= next_shape_ - 1e-9)
+  {
+    shape_->write(e);
+    next_shape_ = std::max(std::isfinite(next_shape_) ? next_shape_ : e.time, e.time - 1.0 / shape_rate_) +
+                  1.0 / shape_rate_;
+  }
+}
+
+void ResultRecorder::finish(const monitor::TetherEstimator& estimator)
+{
+  nlohmann::json summary;
+  summary["simulated_seconds"] = orNull(last_time_ - first_time_);
+  summary["cpu_seconds"] = cpu_seconds_;
+  summary["elements"] = estimator.model().elements();
+  summary["largest_step"] = estimator.mesh().step;
+  summary["expected_error"] = orNull(estimator.mesh().error);
+  summary["steps"] = estimator.count().steps;
+  summary["iterations"] = estimator.count().iterations;
+  summary["rejected_steps"] = estimator.count().rejected;
+  summary["worst_step_us"] = 1e6 * worst_step_;
+  summary["max_tension"] = orNull(max_tension_);
+  summary["max_tension_t"] = orNull(max_tension_t_);
+  summary["max_tension_s"] = orNull(max_tension_s_);
+  for (const monitor::Status status : {monitor::Status::OK, monitor::Status::DEGRADED, monitor::Status::INVALID})
+    summary["status"][describe(status)] = status_count_[static_cast<int>(status)];
+  summary["reason"] = nlohmann::json::object();
+  for (const auto& [reason, count] : reason_count_)
+    summary["reason"][reason] = count;
+  std::ofstream out(folder_ + "/summary.json");
+  out << summary.dump(2) << "\n";
+  out.close();
+  if (!out)
+    throw std::runtime_error("cannot write " + folder_ + "/summary.json");
+  ends_.close();
+  alarms_.close();
+  if (shape_)
+    shape_->close();
+  if (contacts_)
+    contacts_->close();
+}
+
+}  // namespace tether_monitor::replay

@@ -1,0 +1,30 @@
+#include "tether_monitor/replay/steady_state_run.h"
+
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
+
+namespace tether_monitor::replay
+{
+SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& vessel,
+                            const core::Vector3& vehicle, const core::Vector3& velocity, int modes)
+{
+  monitor::Config calm = config;
+  calm.environment.waves.amplitude = 0.0;
+  monitor::TetherEstimator estimator(calm);
+  monitor::EndTargets ends;
+  ends.vessel = {vessel + config.vessel.attachment, velocity};
+  ends.vehicle = {vehicle + config.vehicle.attachment, velocity};
+
+  SteadyState result;
+  result.estimate = estimator.begin(0.0, ends);
+  result.report = estimator.lastSolve();
+  if (!result.estimate.has_stations)
+    return result;
+  result.strumming = estimator.strumming();
+  if (modes > 0)
+    result.modes = core::naturalModes(estimator.model(), estimator.state(), modes);
+  for (int i = 0; i < estimator.model().nodes(); ++i)
+    result.node_s.push_back(estimator.model().arcLength(i));
+  return result;
+}
+
+}  // namespace tether_monitor::replay

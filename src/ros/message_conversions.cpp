@@ -1,0 +1,232 @@
+#include "tether_monitor/ros/message_conversions.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace tether_monitor
+{
+static_assert(static_cast<int>(monitor::Status::INVALID) == TetherState::STATUS_INVALID, "status codes differ");
+static_assert(static_cast<int>(monitor::Reason::UNCERTAIN) == TetherState::REASON_UNCERTAIN,
+              "reason codes differ");
+static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
+              "alarm state codes differ");
+static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
+
+Eigen::Vector3d vector(const geometry_msgs::Point& p)
+{
+  return {p.x, p.y, p.z};
+}
+
+Eigen::Vector3d vector(const geometry_msgs::Vector3& v)
+{
+  return {v.x, v.y, v.z};
+}
+
+Eigen::Quaterniond quaternion(const geometry_msgs::Quaternion& q)
+{
+  return {q.w, q.x, q.y, q.z};
+}
+
+Eigen::Isometry3d isometry(const geometry_msgs::Transform& transform)
+{
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.translation() = vector(transform.translation);
+  result.linear() = quaternion(transform.rotation).normalized().toRotationMatrix();
+  return result;
+}
+
+geometry_msgs::Point pointMessage(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Point point;
+  point.x = v.x();
+  point.y = v.y();
+  point.z = v.z();
+  return point;
+}
+
+geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+void toMessage(const monitor::TetherEstimate& e, TetherState& out)
+{
+  constexpr double NONE = monitor::TetherEstimate::NONE;
+  const core::StationProfile& at = e.stations;
+  const std::size_t n = e.has_stations ? at.s.size() : 0;
+  out.status = static_cast<uint8_t>(e.status);
+  out.reason = static_cast<uint8_t>(e.reason);
+  out.length = e.length;
+  out.stretched_length = e.has_stations ? at.stretched_length : NONE;
+  out.payout_rate = e.payout_rate;
+  out.s.assign(at.s.begin(), at.s.begin() + n);
+  out.tension.assign(at.tension.begin(), at.tension.begin() + n);
+  out.strain.assign(at.strain.begin(), at.strain.begin() + n);
+  out.bend_radius.assign(at.bend_radius.begin(), at.bend_radius.begin() + n);
+  out.position.resize(n);
+  out.stress.assign(at.stress.begin(), at.stress.begin() + n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    out.position[i] = pointMessage(at.position[i]);
+  }
+  out.vehicle_relative =
+      vectorMessage(n > 0 ? core::Vector3(at.position[n - 1] - at.position[0]) : core::Vector3::Constant(NONE));
+  out.vessel_tension = e.vessel_tension;
+  out.vehicle_tension = e.vehicle_tension;
+  out.vessel_tension_stddev = e.vessel_tension_stddev;
+  out.vehicle_tension_stddev = e.vehicle_tension_stddev;
+  out.vehicle_position_stddev = e.vehicle_position_stddev;
+  out.max_tension = e.max_tension;
+  out.max_tension_s = e.max_tension_s;
+  out.working_utilisation = e.working_utilisation;
+  out.breaking_utilisation = e.breaking_utilisation;
+  out.min_bend_radius = e.min_bend_radius;
+  out.min_bend_radius_s = e.min_bend_radius_s;
+  out.vessel_end_angle = e.vessel_end_angle;
+  out.vehicle_end_angle = e.vehicle_end_angle;
+  out.seabed_contact_length = e.seabed_contact_length;
+  out.touchdown_s = e.touchdown_s;
+  out.vessel_age = std::isnan(e.vessel_age) ? std::numeric_limits<double>::infinity() : e.vessel_age;
+  out.vehicle_age = std::isnan(e.vehicle_age) ? std::numeric_limits<double>::infinity() : e.vehicle_age;
+}
+
+geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q)
+{
+  geometry_msgs::Quaternion message;
+  message.x = q.x();
+  message.y = q.y();
+  message.z = q.z();
+  message.w = q.w();
+  return message;
+}
+
+ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector<core::Obstacle>& obstacles)
+{
+  ContactArray array;
+  for (std::size_t k = 0; k < obstacles.size() && k < e.contact.obstacles.size(); ++k)
+  {
+    const core::ContactSummary::ObstacleContact& touch = e.contact.obstacles[k];
+    if (!e.has_stations || !(touch.total > 0.0))
+      continue;
+    Contact contact;
+    contact.obstacle = obstacles[k].name;
+    contact.force = vectorMessage(touch.force);
+    contact.place = pointMessage(touch.place);
+    contact.s = touch.s;
+    contact.largest = touch.largest;
+    array.contacts.push_back(contact);
+  }
+  return array;
+}
+
+std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle)
+{
+  const std::string name = "obstacle '" + message.name + "': ";
+  if (message.shape > Obstacle::BOX)
+    return name + "shape = " + std::to_string(message.shape) + " is not known";
+  const std::size_t sizes = message.shape + 1u;
+  if (message.size.size() != sizes)
+    return name + "size has " + std::to_string(message.size.size()) + " numbers, " + std::to_string(sizes) +
+           " are expected";
+  obstacle.name = message.name;
+  obstacle.shape = static_cast<core::ObstacleShape>(message.shape);
+  for (std::size_t i = 0; i < sizes; ++i)
+    obstacle.size[static_cast<int>(i)] = message.size[i];
+  Eigen::Quaterniond q = quaternion(message.pose.orientation);
+  if (q.coeffs().isZero(0.0))
+    q.setIdentity();
+  if (!(std::abs(q.norm() - 1.0) < 0.01))
+    return name + describe(monitor::Rejection::BAD_QUATERNION);
+  obstacle.position = to_world * vector(message.pose.position);
+  obstacle.orientation = Eigen::Quaterniond(to_world.rotation()) * q.normalized();
+  obstacle.velocity = to_world.linear() * vector(message.velocity);
+  obstacle.mass = message.mass;
+  obstacle.friction = message.friction;
+  return "";
+}
+
+nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
+                                  const monitor::TetherEstimate& e)
+{
+  nav_msgs::Odometry message;
+  message.header = header;
+  message.child_frame_id = child_frame;
+  message.pose.pose.position = pointMessage(e.vehicle.position);
+  message.pose.pose.orientation = quaternionMessage(e.vehicle.orientation);
+  const Eigen::Quaterniond to_body = e.vehicle.orientation.conjugate();
+  message.twist.twist.linear = vectorMessage(to_body * e.vehicle.velocity);
+  message.twist.twist.angular = vectorMessage(to_body * e.vehicle.angular_velocity);
+  if (std::isfinite(e.vehicle_position_stddev))
+    for (int i = 0; i < 3; ++i)
+    {
+      message.pose.covariance[7 * i] = e.vehicle_position_stddev * e.vehicle_position_stddev;
+      message.twist.covariance[7 * i] = e.vehicle_velocity_stddev * e.vehicle_velocity_stddev;
+    }
+  return message;
+}
+
+geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,
+                                           const core::Vector3& force)
+{
+  constexpr double NONE = monitor::TetherEstimate::NONE;
+  geometry_msgs::WrenchStamped message;
+  message.header = header;
+  message.wrench.force = vectorMessage(estimate.has_stations ? force : core::Vector3::Constant(NONE));
+  message.wrench.torque =
+      vectorMessage(estimate.has_stations ? core::Vector3::Zero() : core::Vector3::Constant(NONE));
+  return message;
+}
+
+const char* alarmStateText(monitor::AlarmState state)
+{
+  switch (state)
+  {
+    case monitor::AlarmState::NORMAL:
+      return "normal";
+    case monitor::AlarmState::UNACKNOWLEDGED:
+      return "ACTIVE";
+    case monitor::AlarmState::ACKNOWLEDGED:
+      return "active, acknowledged";
+    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
+      return "back in limits, not acknowledged";
+  }
+  return "unknown";
+}
+
+std::string alarmText(const monitor::Alarm& alarm)
+{
+  const monitor::AlarmDefinition& d = alarm.definition();
+  const char* side = d.side == monitor::Side::ABOVE ? "above" : "below";
+  char text[200];
+  const int used = std::snprintf(text, sizeof(text), "%s %s: %.3g, limit %s %.3g", d.name.c_str(),
+                                 alarmStateText(alarm.state()), alarm.value(), side, d.limit);
+  if (!std::isnan(alarm.s()))
+    std::snprintf(text + used, sizeof(text) - used, ", at s = %.1f m", alarm.s());
+  return text;
+}
+
+AlarmArray toMessage(const monitor::AlarmSet& set, const TimeOrigin& time)
+{
+  AlarmArray array;
+  for (const monitor::Alarm& alarm : set.alarms())
+  {
+    Alarm message;
+    message.name = alarm.definition().name;
+    message.state = static_cast<uint8_t>(alarm.state());
+    message.severity = static_cast<uint8_t>(alarm.definition().severity);
+    message.value = alarm.value();
+    message.limit = alarm.definition().limit;
+    message.s = alarm.s();
+    message.since = time.stamp(alarm.since());
+    message.text = alarmText(alarm);
+    array.alarms.push_back(message);
+  }
+  return array;
+}
+
+}  // namespace tether_monitor

@@ -1,0 +1,238 @@
+#include "tether_monitor/ros/monitor_node.h"
+
+#include <std_msgs/Bool.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+
+#include "tether_monitor/params/load_config.h"
+#include "tether_monitor/ros/markers.h"
+#include "tether_monitor/ros/message_conversions.h"
+#include "tether_monitor/ros/parameter_server.h"
+
+namespace tether_monitor
+{
+namespace
+{
+constexpr double ALARM_PERIOD = 1.0;        // [s]
+constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
+constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes take milliseconds
+constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
+constexpr int INPUT_QUEUE = 100;
+constexpr int OUTPUT_QUEUE = 10;
+}  // namespace
+
+MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+  : nh_(nh),
+    private_nh_(private_nh),
+    estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
+    listener_(transforms_),
+    adapter_(estimator_, transforms_),
+    updater_(nh, private_nh, private_nh.getNamespace())
+{
+  const monitor::Config& config = estimator_.config();
+  state_pub_ = private_nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
+  vessel_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", OUTPUT_QUEUE);
+  vehicle_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vehicle_end/force", OUTPUT_QUEUE);
+  over_tension_pub_ = private_nh_.advertise<std_msgs::Bool>("over_tension", OUTPUT_QUEUE);
+  alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
+  markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
+  contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
+  if (estimator_.isVehicleSimulated())
+    vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
+  reset_server_ = private_nh_.advertiseService("reset", &MonitorNode::reset, this);
+  acknowledge_server_ = private_nh_.advertiseService("acknowledge", &MonitorNode::acknowledge, this);
+
+  updater_.setHardwareID("tether");
+  updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
+               { diagnose(estimator_, facts_, status); });
+  updater_.add("vibration", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
+               { diagnoseVibration(facts_.vibration, status); });
+
+  for (const auto& [name, body] :
+       {std::make_pair("vessel", Body::VESSEL), std::make_pair("vehicle", Body::VEHICLE)})
+  {
+    subscribeBody<geometry_msgs::PoseStamped>(std::string(name) + "/pose", body);
+    subscribeBody<geometry_msgs::TwistStamped>(std::string(name) + "/velocity", body);
+    subscribeBody<nav_msgs::Odometry>(std::string(name) + "/odom", body);
+  }
+  subscribe<Payout>("payout", &InputAdapter::accept);
+  subscribe<CurrentProfile>("current", &InputAdapter::accept);
+  subscribe<ObstacleArray>("obstacles", &InputAdapter::accept);
+  subscribe<geometry_msgs::WrenchStamped>("vehicle/thrust", &InputAdapter::accept);
+  subscribe<std_msgs::Float64>("seabed", &InputAdapter::acceptDepth);
+  subscribe<std_msgs::Float64>("turns", &InputAdapter::acceptTurns);
+
+  tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
+  diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
+                                           [this](const ros::WallTimerEvent&)
+                                           {
+                                             lookAtVibration();
+                                             updater_.force_update();
+                                           });
+  const std::string elements =
+      config.accuracy ? "as many elements as it needs" : std::to_string(config.elements) + " elements";
+  ROS_INFO("%s watches a tether of %g m in %s at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
+           config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
+}
+
+template <typename Message>
+void MonitorNode::subscribeBody(const std::string& topic, Body body)
+{
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [this, topic, body](const boost::shared_ptr<const Message>& message)
+  { receive(topic, [&](const ros::Time& now) { return adapter_.accept(body, *message, now); }); };
+  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
+                                                ros::TransportHints().tcpNoDelay()));
+}
+
+template <typename Message>
+void MonitorNode::subscribe(const std::string& topic,
+                            std::string (InputAdapter::*take)(const Message&, const ros::Time&))
+{
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [this, topic, take](const boost::shared_ptr<const Message>& message)
+  { receive(topic, [&](const ros::Time& now) { return (adapter_.*take)(*message, now); }); };
+  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
+                                                ros::TransportHints().tcpNoDelay()));
+}
+
+void MonitorNode::receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take)
+{
+  const ros::Time now = ros::Time::now();
+  if (now.isZero())
+    return noteRefusal(topic, "simulated time has not begun: nothing on /clock yet");
+  ensureTimeBase(now);
+  noteRefusal(topic, take(now));
+}
+
+void MonitorNode::noteRefusal(const std::string& topic, const std::string& why)
+{
+  if (why.empty())
+    return;
+  RefusalCount& refusal = facts_.refusals[topic];
+  ++refusal.count;
+  refusal.last_reason = why;
+  ROS_WARN_THROTTLE(REFUSAL_LOG_PERIOD, "refused a message on %s: %s", topic.c_str(), why.c_str());
+}
+
+void MonitorNode::ensureTimeBase(const ros::Time& now)
+{
+  if (has_time_base_)
+    return;
+  has_time_base_ = true;
+  time_ = TimeOrigin(now);
+  adapter_.setTimeBase(time_);
+  estimator_.setEpoch(time_.epoch());
+}
+
+void MonitorNode::tick()
+{
+  const ros::Time now = ros::Time::now();
+  if (now.isZero() || now == last_tick_)
+    return;
+  ensureTimeBase(now);
+  const ros::WallTime began = ros::WallTime::now();
+  const monitor::Status before = estimator_.estimate().status;
+  const monitor::Reason reason_before = estimator_.estimate().reason;
+  const monitor::TetherEstimate& e = estimator_.tick(time_.seconds(now));
+  if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_tick_)
+  {
+    transforms_.clear();
+    last_alarms_ = ros::Time();
+  }
+  last_tick_ = now;
+  const double step_time = (ros::WallTime::now() - began).toSec();
+  facts_.worst_step_time = std::max(facts_.worst_step_time, step_time);
+  ++facts_.ticks;
+  if (e.status != before || e.reason != reason_before)
+    ROS_INFO("%s%s%s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : ": ",
+             e.reason == monitor::Reason::NONE ? "" : advice(e.reason).c_str());
+  publish(now, step_time);
+}
+
+void MonitorNode::publish(const ros::Time& stamp, double step_time)
+{
+  const monitor::TetherEstimate& e = estimator_.estimate();
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = estimator_.config().world_frame;
+
+  // The word that a control loop waits for goes first.
+  std_msgs::Bool over_tension;
+  over_tension.data = estimator_.overTension();
+  over_tension_pub_.publish(over_tension);
+
+  toMessage(e, state_message_);
+  state_message_.header = header;
+  state_message_.step_time = step_time;
+  state_pub_.publish(state_message_);
+  vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel));
+  vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle));
+  publishVehicle(header);
+  publishContacts(header);
+  const bool due = (stamp - last_alarms_).toSec() >= ALARM_PERIOD || stamp < last_alarms_;
+  if (estimator_.alarmsChanged() || acknowledged_ || due)
+    publishAlarms(header);
+  if (markers_pub_.getNumSubscribers() > 0)
+    markers_pub_.publish(markers(header, estimator_));
+}
+
+void MonitorNode::publishVehicle(const std_msgs::Header& header)
+{
+  const monitor::TetherEstimate& e = estimator_.estimate();
+  if (e.has_vehicle)
+    vehicle_pub_.publish(vehicleMessage(header, estimator_.config().vehicle.frame, e));
+}
+
+// While something is touched, and once when nothing is any more.
+void MonitorNode::publishContacts(const std_msgs::Header& header)
+{
+  ContactArray contacts = contactsMessage(estimator_.estimate(), estimator_.model().environment().obstacles);
+  const bool has_contact = !contacts.contacts.empty();
+  if (!has_contact && !had_contact_)
+    return;
+  had_contact_ = has_contact;
+  contacts.header = header;
+  contacts_pub_.publish(contacts);
+}
+
+void MonitorNode::lookAtVibration()
+{
+  const ros::WallTime now = ros::WallTime::now();
+  if ((now - last_vibration_).toSec() < VIBRATION_PERIOD)
+    return;
+  facts_.vibration = monitor::reportVibration(estimator_);
+  if (!facts_.vibration.modes.empty())
+    last_vibration_ = now;
+}
+
+void MonitorNode::publishAlarms(const std_msgs::Header& header)
+{
+  AlarmArray array = toMessage(estimator_.alarms(), time_);
+  array.header = header;
+  alarms_pub_.publish(array);
+  last_alarms_ = header.stamp;
+  acknowledged_ = false;
+}
+
+bool MonitorNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  estimator_.reset();
+  response.success = true;
+  response.message = "motion and measurements forgotten; settling anew at the next poses";
+  ROS_INFO("reset: %s", response.message.c_str());
+  return true;
+}
+
+bool MonitorNode::acknowledge(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  const int changed = estimator_.acknowledge();
+  acknowledged_ = true;
+  response.success = true;
+  response.message = std::to_string(changed) + " alarm(s) acknowledged";
+  ROS_INFO("acknowledge: %s", response.message.c_str());
+  return true;
+}
+
+}  // namespace tether_monitor

@@ -1,0 +1,133 @@
+// Mode observed where measurements, settings and messages are unlucky.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/navigation_fixture.h"
+
+namespace tether_monitor::monitor
+{
+TEST(ObservedVehicle, AFixAtTheTimeOfASavedStateCounts)
+{
+  NavigationFixture sea;
+  sea.lateness = 1.0;  // on the grid of the ticks
+  sea.run(20.0);
+  const long before = sea.estimator.observer().innovations().accepted;
+  sea.run(30.0);
+  EXPECT_EQ(sea.estimator.observer().innovations().accepted - before, 30);
+}
+
+TEST(ObservedVehicle, LongLatencyAtAHighRateIsOnlyWork)
+{
+  Config config = observedConfig();
+  config.rate = 200.0;
+  config.navigation.latency = 6.0;
+  NavigationFixture slow(config);
+  const auto run = [&](int from, int to)
+  {
+    for (int i = from; i < to; ++i)
+    {
+      const double t = 0.005 * i;
+      if (i % 40 == 0)
+        slow.estimator.addVessel(PoseMeasurement{t, slow.vessel});
+      if (i % 200 == 37)
+        slow.estimator.addVehicle(PoseMeasurement{t, slow.vehicleAt(t - 6.0)});
+      const TetherEstimate& e = slow.estimator.tick(t);
+      if (t > 30.0)
+      {
+        ASSERT_NE(e.status, Status::INVALID) << t;
+        ASSERT_NEAR(e.vessel_tension, 480.0, 100.0) << t;
+      }
+    }
+  };
+  run(0, 12000);
+}
+
+TEST(ObservedVehicle, ATetherThatStrumsBeginsWhereTheVehicleIs)
+{
+  Config config = observedConfig();
+  config.drag_amplification = 2.0;
+  config.environment.current = core::CurrentProfile(Vector3(0.3, 0.0, 0.0));
+  NavigationFixture sea(config);
+  sea.aside = 30.0;
+  sea.depth = -90.0;
+  for (int i = 0; i < 1000 && !sea.estimator.isSettled(); ++i)
+    sea.run(0.05);
+  ASSERT_TRUE(sea.estimator.isSettled());
+  EXPECT_NEAR(sea.estimator.estimate().vehicle.position.x(), 30.0, 3.0);
+}
+
+TEST(ObservedVehicle, OldPositionsDoNotBecomeNewBySettling)
+{
+  NavigationFixture sea;
+  sea.run(40.0);
+  sea.vehicle_alive = false;
+  sea.t += 3600.0;
+  for (int i = 0; i < 600; ++i)
+    ASSERT_EQ(sea.run(0.05).status, Status::INVALID);
+  EXPECT_EQ(sea.estimator.estimate().reason, Reason::VEHICLE_STALE);
+  sea.vehicle_alive = true;
+  EXPECT_NE(sea.run(15.0).status, Status::INVALID) << describe(sea.estimator.estimate().reason);
+}
+
+TEST(ObservedVehicle, WhatWasNotMeasuredIsNoPosition)
+{
+  NavigationFixture sea;
+  sea.run(40.0);
+  sea.vehicle_alive = false;
+  const long before = sea.estimator.observer().innovations().accepted;
+  PoseMeasurement attitude, depth;
+  attitude.position_stddev.setConstant(1000.0);
+  depth.position_stddev = {1000.0, 1000.0, 0.1};
+  for (int i = 0; i < 400; ++i)
+  {
+    attitude.t = depth.t = sea.t;
+    depth.position = {0.0, 0.0, sea.depth + 0.01 * std::sin(7.0 * i)};
+    EXPECT_EQ(sea.estimator.addVehicle(attitude), Rejection::NONE);
+    if (i >= 200 && i % 4 == 0)
+    {
+      EXPECT_EQ(sea.estimator.addVehicle(depth), Rejection::NONE);
+    }
+    sea.run(0.05);
+  }
+  EXPECT_EQ(sea.estimator.estimate().reason, Reason::VEHICLE_STALE) << "nobody has seen where it is";
+  EXPECT_NEAR(sea.estimator.observer().innovations().accepted - before, 50, 2) << "the depths";
+}
+
+TEST(ObservedVehicle, AWildVelocityOfTheVesselIsNotFollowed)
+{
+  NavigationFixture sea;
+  sea.run(60.0);
+  for (const double wild : {50.0, 1000.0, 1e200})
+  {
+    sea.estimator.addVessel(TwistMeasurement{sea.t - 0.01, Vector3(wild, 0, 0)});
+    for (int i = 0; i < 100; ++i)
+    {
+      const TetherEstimate& e = sea.run(0.05);
+      ASSERT_NE(e.status, Status::INVALID) << wild;
+      ASSERT_NEAR(e.vessel_tension, 480.0, 100.0) << wild;
+    }
+  }
+  EXPECT_GE(sea.estimator.vesselFilter().outliers(), 3);
+}
+
+TEST(ObservedVehicle, ALateFixDoesNotUndoAnObstacle)
+{
+  Config config = observedConfig();
+  core::Obstacle pile;
+  pile.name = "pile";
+  pile.shape = core::ObstacleShape::CYLINDER;
+  pile.size = {0.5, 200.0, 0.0};
+  pile.position = {30.0, 0.0, -50.0};
+  config.environment.obstacles = {pile};
+  NavigationFixture sea(config);
+  sea.run(30.0);
+  pile.position.x() = 20.0;
+  ASSERT_TRUE(sea.estimator.setObstacles(sea.t, {pile}).empty());
+  sea.run(0.1);
+  sea.fix(sea.t - 1.0);
+  sea.run(0.1);
+  EXPECT_NEAR(sea.estimator.state().obstacles[0].position.x() + sea.estimator.origin().x(), 20.0, 1e-6);
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/estimator_fixture.h"
+
+namespace tether_monitor::monitor
+{
+// Tethers without a steady state of their own: what is slack and weighs nothing can lie anywhere.
+class HardToSettle : public ::testing::TestWithParam<double>
+{
+};
+
+TEST_P(HardToSettle, IsFoundByMotion)
+{
+  Config config = testConfig();
+  config.elements = 40;
+  config.tether.diameter = 0.02;
+  config.tether.mass_per_length = GetParam();
+  EstimatorFixture feeder(config);
+  feeder.vehicle = {40.0, 0.0, -50.0};
+  const TetherEstimate& e = feeder.run(2.0);
+  ASSERT_NE(e.status, Status::INVALID) << describe(e.reason) << ", "
+                                       << core::describe(feeder.estimator.lastSolve().status);
+  EXPECT_LT(e.vessel_tension, 100.0);
+  EXPECT_NEAR(e.stations.stretched_length, 100.0, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(MassPerLength, HardToSettle, ::testing::Values(0.2, 1025.0 * M_PI * 1e-4, 0.30, 0.33));
+
+TEST(Settling, ATetherHangsOnTheSideOfAnObstacleWhereItWouldWithoutIt)
+{
+  Config config = testConfig();
+  EndTargets ends;
+  ends.vessel = {{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+  ends.vehicle = {{40.0, 0.0, -50.0}, {0.0, 0.0, 1.0}};
+  TetherEstimator open(config);
+  const double tension = open.begin(0.0, ends).vessel_tension;
+  core::Obstacle box;
+  box.shape = core::ObstacleShape::BOX;
+  box.size = {6.0, 6.0, 6.0};
+  box.position = {-3.0, 0.3, -47.28};
+  config.environment.obstacles = {box};
+  TetherEstimator beside(config);
+  EXPECT_NEAR(beside.begin(0.0, ends).vessel_tension, tension, 1e-6 * tension);
+}
+
+TEST(Settling, SectionsThatComeAboardAreLeftOut)
+{
+  Config config = testConfig();
+  core::CableSection heavy;
+  heavy.from = 20.0;
+  heavy.to = 40.0;
+  heavy.properties = config.tether;
+  heavy.properties.mass_per_length = 1.2;
+  config.layout.sections = {heavy};
+  config.layout.attachments = {{"float", 30.0, 1.0, 0.002, 0.0}};
+  EstimatorFixture feeder(config);
+  feeder.vehicle = {10.0, 0.0, -15.0};
+  double length = 100.0;
+  int invalid = 0, rows = 0;
+  for (; length > 40.0; length -= 0.2, ++rows)
+  {
+    feeder.estimator.addPayout(feeder.t + 0.1, length, -2.0);
+    invalid += feeder.run(0.1).status == Status::INVALID;
+  }
+  EXPECT_LT(invalid, 8) << "of " << rows << ": a cycle or two for each piece that comes aboard";
+  EXPECT_NE(feeder.estimator.estimate().status, Status::INVALID);
+}
+
+TEST(Settling, AbsurdTensionIsNoNumber)
+{
+  Config config = testConfig();
+  EstimatorFixture feeder(config);
+  feeder.vehicle = {80.0, 0.0, -75.0};
+  const TetherEstimate& e = feeder.run(1.0);
+  EXPECT_EQ(e.status, Status::INVALID);
+  EXPECT_EQ(e.reason, Reason::OUT_OF_RANGE);
+  EXPECT_TRUE(std::isnan(e.max_tension));
+}
+
+}  // namespace tether_monitor::monitor

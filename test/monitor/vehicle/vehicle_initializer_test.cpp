@@ -1,0 +1,103 @@
+#include "tether_monitor/monitor/vehicle/vehicle_initializer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/navigation_fixture.h"
+#include "tether_monitor/core/solve/dynamic_relaxation.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+using core::Matrix3;
+
+// A towed vehicle on which a force acts, and where it is then.
+struct Tow
+{
+  Tow()
+    : config(observedConfig()), model(config.tether, config.elements, config.environment), statics(model.nodes())
+  {
+    config.vehicle_body.mass = 600.0;
+    model.setBodies({std::nullopt, config.vehicle_body});
+    ends.vessel = {0.0, 0.0, -1.0};
+    ends.velocity = {2.0, 0.0, 0.0};
+  }
+
+  // @return the place of a vehicle on which `force` acts.
+  Vector3 placeUnder(const Vector3& force)
+  {
+    core::RigidBody body = config.vehicle_body;
+    body.force += force;
+    core::CableModel loaded = model;
+    loaded.setBodies({std::nullopt, body});
+    core::NodeField shape;
+    core::SteadyEnds at = ends;
+    at.vehicle = {0.0, 0.0, -50.0};
+    EXPECT_TRUE(statics.solve(loaded, at, shape).converged());
+    return shape.back().head<3>();
+  }
+
+  Config config;
+  core::CableModel model;
+  core::SteadyStateSolver statics;
+  core::SteadyEnds ends;
+};
+}  // namespace
+
+TEST(VehicleInitialization, FindsTheForceThatKeepsTheVehicleWhereItIs)
+{
+  Tow tow;
+  const Vector3 force(60.0, -80.0, 10.0), usual(200.0, 200.0, 200.0);
+  tow.ends.vehicle = tow.placeUnder(force);
+  VehicleInitialization start;
+  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.01, Vector3::Zero(), usual, start)
+                  .converged());
+  EXPECT_LT((start.force - force).norm(), 0.05 * force.norm()) << start.force.transpose();
+  EXPECT_LT((start.shape.back().head<3>() - tow.ends.vehicle).norm(), 0.05);
+  EXPECT_LT(start.cost, 3.0);
+  // A place that nobody knows is left to the vehicle.
+  tow.ends.vehicle += Vector3(0.0, 5.0, 0.0);
+  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 100.0, Vector3::Zero(), usual, start)
+                  .converged());
+  EXPECT_LT(start.force.norm(), 30.0);
+}
+
+TEST(VehicleInitialization, AThrustThatIsToldIsNoDisturbance)
+{
+  Tow tow;
+  const Vector3 thrust(50.0, 70.0, 0.0), usual(200.0, 200.0, 200.0);
+  tow.ends.vehicle = tow.placeUnder(thrust);
+  VehicleInitialization start;
+  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.1, thrust, usual, start).converged());
+  EXPECT_LT(start.force.norm(), 5.0);
+}
+
+TEST(VehicleInitialization, AWrongSpeedOfTheWayIsAForce)
+{
+  Tow tow;
+  tow.ends.vehicle = tow.placeUnder(Vector3::Zero());
+  const Vector3 usual(200.0, 200.0, 200.0);
+  VehicleInitialization start, faster;
+  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.01, Vector3::Zero(), usual, start)
+                  .converged());
+  const Matrix3 doubt = forceCovarianceFromVelocity(tow.statics, tow.model, tow.ends, {0.05, 0.05, 0.0}, start);
+  Matrix3 expected = Matrix3::Zero();
+  for (const int axis : {0, 1})
+  {
+    core::SteadyEnds wrong = tow.ends;
+    wrong.velocity[axis] += 0.05;
+    ASSERT_TRUE(
+        findVehicleInitialization(tow.statics, tow.model, wrong, 0.001, Vector3::Zero(), 100.0 * usual, faster)
+            .converged());
+    expected += (faster.force - start.force) * (faster.force - start.force).transpose();
+  }
+  EXPECT_LT((doubt - expected).norm(), 0.1 * expected.norm()) << doubt << "\n" << expected;
+  // The drag of the vehicle alone: rho A v dv across.
+  EXPECT_GT(std::sqrt(doubt(1, 1)), 0.5 * 1025.0 * 0.8 * 2.0 * 0.05);
+  const Matrix3 twice = forceCovarianceFromVelocity(tow.statics, tow.model, tow.ends, {0.1, 0.1, 0.0}, start);
+  EXPECT_NEAR(twice(1, 1), 4.0 * doubt(1, 1), 0.2 * doubt(1, 1));
+  EXPECT_EQ(forceCovarianceFromVelocity(tow.statics, tow.model, tow.ends, Vector3::Zero(), start).norm(), 0.0);
+}
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,208 @@
+#include "tether_monitor/replay/csv_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "support/estimator_fixture.h"
+
+namespace tether_monitor::replay
+{
+namespace
+{
+// A vehicle that circles slowly, in rows of `dt` seconds.
+std::string motionFile(double dt)
+{
+  const std::string path = ::testing::TempDir() + "tether_monitor_circle.csv";
+  std::ofstream out(path);
+  out.precision(12);
+  out << "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z\n";
+  for (int i = 0; i * dt <= 20.0 + 1e-9; ++i)
+  {
+    const double a = 0.1 * i * dt;
+    out << i * dt << ",0,0,1," << 60 + 4 * std::cos(a) << "," << 4 * std::sin(a) << ",-60\n";
+  }
+  return path;
+}
+
+files::CsvTable run(double dt, double rate, const std::string& folder)
+{
+  const Motion motion(files::readCsv(motionFile(dt)));
+  monitor::TetherEstimator estimator(monitor::testConfig());
+  ResultRecorder recorder(folder, 1.0);
+  ReplayOptions options;
+  options.rate = rate;
+  replayMotion(motion, options, estimator, recorder);
+  recorder.finish(estimator);
+  // The status column is a word: check it and drop it to read the rest as numbers.
+  std::ifstream in(folder + "/ends.csv");
+  const std::string numbers = folder + "/ends_numbers.csv";
+  std::ofstream out(numbers);
+  std::string line;
+  while (std::getline(in, line))
+  {
+    const std::string word = line.substr(line.rfind(',') + 1);
+    EXPECT_TRUE(word == "status" || word == "OK") << line;
+    out << line.substr(0, line.rfind(',')) << "\n";
+  }
+  out.close();
+  return files::readCsv(numbers);
+}
+}  // namespace
+
+TEST(ReplayRun, WritesARowForEachRowOfTheMotionAndTheFirstOne)
+{
+  const std::string folder = ::testing::TempDir() + "tether_monitor_replay";
+  std::filesystem::remove_all(folder);
+  const files::CsvTable ends = run(0.5, 0.0, folder);
+  ASSERT_EQ(ends.rows.size(), 41u);
+  EXPECT_EQ(ends.rows[0][0], 0.0);
+  EXPECT_EQ(ends.rows[40][0], 20.0);
+  EXPECT_EQ(ends.columns[1], "vessel_fx");
+  for (const char* file : {"shape.csv", "alarms.csv", "summary.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder + "/" + file)) << file;
+  const files::CsvTable shape = files::readCsv(folder + "/shape.csv");
+  EXPECT_EQ(shape.rows.size(), 21u * 41u);
+}
+
+TEST(ReplayRun, TheOutputRateDoesNotChangeTheMotion)
+{
+  const std::string folder = ::testing::TempDir() + "tether_monitor_replay_rate";
+  const files::CsvTable often = run(0.5, 20.0, folder), seldom = run(0.5, 1.0, folder);
+  ASSERT_EQ(often.rows.size(), 401u);
+  ASSERT_EQ(seldom.rows.size(), 21u);
+  for (int column = 1; column <= 6; ++column)
+    EXPECT_NEAR(often.rows[400][column], seldom.rows[20][column], 1e-6 * 200.0);
+}
+
+TEST(ReplayRun, AFolderThatCannotBeMadeIsNamed)
+{
+  const std::string file = ::testing::TempDir() + "tether_monitor_a_file";
+  std::ofstream(file) << "x";
+  try
+  {
+    ResultRecorder recorder(file + "/out", 1.0);
+    FAIL() << "accepted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
+  }
+}
+
+namespace
+{
+monitor::Config observedConfig()
+{
+  monitor::Config c = monitor::testConfig();
+  c.vehicle_mode = monitor::VehicleMode::OBSERVED;
+  c.vehicle_body.mass = 400.0;
+  c.vehicle_body.volume = 0.35;
+  c.vehicle_body.inertia = core::Vector3::Constant(50.0);
+  c.vehicle_body.drag_area = core::Vector3::Constant(0.6);
+  c.invalid_timeout = 10.0;
+  return c;
+}
+
+std::string observedFile(const std::string& name, const std::string& rows)
+{
+  const std::string path = ::testing::TempDir() + "tether_monitor_" + name + ".csv";
+  std::ofstream(path) << rows;
+  return path;
+}
+
+files::CsvTable observedTable(const std::string& rows)
+{
+  return files::readCsv(observedFile("observed", rows), mayBeEmpty);
+}
+
+std::string faultOf(const std::string& rows)
+{
+  try
+  {
+    const files::CsvTable table = observedTable(rows);
+    RecordedMeasurements measurements(table);
+    Motion motion(table, monitor::VehicleMode::OBSERVED);
+    return "";
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string text = error.what();
+    return text.substr(text.find(", line") == std::string::npos ? 0 : text.find(", line") + 2);
+  }
+}
+const std::string HEADER = "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z";
+}  // namespace
+
+TEST(RecordedMeasurements, AnEmptyFieldIsNone)
+{
+  const RecordedMeasurements m(observedTable(HEADER + ",vehicle_stddev,payout\n"
+                                                      "0,0,0,1,,,,,100\n"
+                                                      "0.1,,,1.2,1,2,-98,0.4,100\n"
+                                                      "0.2,0.3,0,1,3,4,-98,,100\n"));
+  ASSERT_EQ(m.rows().size(), 3u);
+  EXPECT_FALSE(m.rows()[0].vehicle);
+  EXPECT_EQ(m.rows()[1].vehicle->position_stddev.x(), 0.4);
+  EXPECT_GT(m.rows()[1].vessel->position_stddev.x(), monitor::VesselMotionFilter::UNMEASURED)
+      << "the height alone";
+  EXPECT_TRUE(std::isnan(m.rows()[1].vessel->position_stddev.z()));
+  EXPECT_TRUE(std::isnan(m.rows()[2].vehicle->position_stddev.x())) << "as configured";
+  EXPECT_NEAR(m.vesselAtFirstRow().velocity.x(), 1.5, 1e-9);
+}
+
+TEST(RecordedMeasurements, FaultsAreNamedWithTheirLine)
+{
+  EXPECT_NE(faultOf("t,vessel_x,vessel_y,vessel_z\n0,0,0,1\n").find("vehicle_x is missing"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + ",vehicle_speed\n0,0,0,1,,,,1\n").find("vehicle_speed is not known"),
+            std::string::npos);
+  EXPECT_NE(faultOf(HEADER + ",speed\n0,0,0,1,,,,1\n").find("speed is not known"), std::string::npos);
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,,3\n"), "line 2: vehicle_x, y and z must all be there or all be empty");
+  EXPECT_EQ(faultOf(HEADER + "\n0,,,,1,2,3\n"), "line 2: the first row must have the vessel's position");
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,2,3\n0,0,0,1,1,2,3\n"),
+            "line 3: t does not increase from the row before");
+  EXPECT_EQ(faultOf(HEADER + ",vehicle_stddev\n0,0,0,1,1,2,3,-1\n"), "line 2: vehicle_stddev must be > 0 m");
+  EXPECT_EQ(faultOf(HEADER + ",vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw\n0,0,0,1,1,2,3,0,0,0,2\n"),
+            "line 2: vehicle_q is not a unit quaternion");
+  EXPECT_NE(faultOf(HEADER + ",payout\n0,0,0,1,1,2,3,\n").find("column payout is empty"), std::string::npos);
+  EXPECT_NE(faultOf(HEADER + "\n0,0,0,1,1,2,nan\n").find("not finite"), std::string::npos);
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,,,\n"), "");
+}
+
+TEST(ReplayRun, AnObservedVehicleStartsWithItsFirstPosition)
+{
+  std::string rows = HEADER + "\n";
+  for (int i = 0; i <= 600; ++i)
+  {
+    rows += std::to_string(0.1 * i) + ",0,0," + std::to_string(1.0 + 0.2 * std::sin(0.08 * i));
+    rows += i % 10 == 0 && i >= 20 ? ",0." + std::to_string(i % 7) + ",0.1,-98.9\n" : ",,,\n";
+  }
+  const files::CsvTable table = observedTable(rows);
+  const std::string folder = ::testing::TempDir() + "tether_monitor_replay_observed";
+  monitor::TetherEstimator estimator(observedConfig());
+  {
+    ResultRecorder recorder(folder, 0.0, VehicleColumns::OBSERVED);
+    replayMeasurements(RecordedMeasurements(table), Motion(table, monitor::VehicleMode::OBSERVED), ReplayOptions(),
+                       estimator, recorder);
+    recorder.finish(estimator);
+  }
+  std::ifstream in(folder + "/ends.csv");
+  std::string line;
+  std::getline(in, line);
+  EXPECT_NE(line.find(",status,vehicle_x,vehicle_y,vehicle_z,"), std::string::npos);
+  EXPECT_NE(line.find(",vessel_tension_stddev,vehicle_tension_stddev"), std::string::npos);
+  int invalid = 0, valid = 0;
+  while (std::getline(in, line))
+  {
+    const bool is_invalid = line.find("INVALID") != std::string::npos;
+    EXPECT_EQ(is_invalid, line.find("nan") != std::string::npos) << line;
+    (is_invalid ? invalid : valid) += 1;
+  }
+  EXPECT_GE(invalid, 20) << "until the first position, ...";
+  EXPECT_LE(invalid, 30) << "... and while most of the heave is missing at the end of a taut tether";
+  EXPECT_EQ(invalid + valid, 601);
+  EXPECT_NEAR(estimator.estimate().vehicle.position.z(), -98.9, 0.5);
+}
+
+}  // namespace tether_monitor::replay

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <random>
+
+#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/element/element_matrices.h"
+#include "tether_monitor/core/solve/adaptive_stepper.h"
+#include "tether_monitor/core/solve/steady_state_solver.h"
+
+namespace tether_monitor::core
+{
+/// The 400 m tow cable of the paper's first system, with its dry weight.
+inline CableProperties towCable()
+{
+  CableProperties p;
+  p.length = 400.0;
+  p.diameter = 0.030;
+  p.mass_per_length = 1.43;
+  p.axial_stiffness = 6.75e7;
+  p.axial_damping = 1.0e4 / 6.75e7;
+  p.drag_normal = 1.35;
+  p.drag_tangential = 0.12566;
+  p.working_load = 2.0e4;
+  p.breaking_load = 6.0e4;
+  return p;
+}
+
+/// No water: nothing but gravity acts.
+inline Environment air()
+{
+  Environment e;
+  e.water_density = 0.0;
+  return e;
+}
+
+/// A random element: a bent, slightly stretched or compressed piece of tether, its parameters and its motion.
+struct RandomElement
+{
+  explicit RandomElement(unsigned seed) : generator(seed)
+  {
+    const double L = uniform(0.5, 20.0);
+    p.length = L;
+    p.diameter = uniform(0.005, 0.1);
+    p.mass = uniform(0.05, 5.0);
+    p.area = 0.785 * p.diameter * p.diameter;
+    p.drag_normal = uniform(0.5, 2.0);
+    p.drag_tangential = uniform(0.0, 0.2);
+    p.added_mass = uniform(0.0, 1.5);
+    const double EA = std::pow(10.0, uniform(3.0, 8.0));
+    p.axial = {EA, uniform(0.0, 0.01), EA * uniform(1e-3, 1e-2), 1e-5};  // wide enough for differences
+    p.bending_stiffness = uniform(0.0, 100.0);
+
+    const Vector3 chord = vector(1.0).normalized() * L * (1.0 + uniform(-0.01, 0.02));
+    const Vector3 start = Vector3(0.0, 0.0, -200.0) + vector(50.0);
+    motion.q << start, chord / L + vector(0.15), start + chord, chord / L + vector(0.15);
+    for (int i = 0; i < 12; ++i)
+    {
+      motion.v[i] = uniform(-1.0, 1.0);
+      motion.a[i] = uniform(-1.0, 1.0);
+    }
+  }
+
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+  Vector3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+
+  std::mt19937 generator;
+  ElementParameters p;
+  ElementMotion motion;
+};
+
+/// End forces of the steady state between two held ends; fails the calling test by NaN if there is none.
+inline EndForces steadyForces(const CableModel& model, const SteadyEnds& ends)
+{
+  SteadyStateSolver statics(model.nodes());
+  NodeField shape;
+  if (!statics.solve(model, ends, shape).converged())
+    return {Vector3::Constant(NAN), Vector3::Constant(NAN)};
+  return endForces(model, CableState(0.0, shape, ends.velocity));
+}
+
+}  // namespace tether_monitor::core

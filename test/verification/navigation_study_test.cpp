@@ -1,0 +1,240 @@
+// What doc/validation.md claims of the observed vehicle under navigation noise: accuracy, bands, gaps, faults.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "verification/navigation_study.h"
+
+namespace tether_monitor::bench
+{
+namespace
+{
+using monitor::Reason;
+using monitor::Status;
+using monitor::VehicleMode;
+
+Case caseNamed(const std::string& name)
+{
+  for (const Case& c : navigationCases())
+    if (c.name == name)
+      return c;
+  return {};
+}
+
+// Longest time for which the status was OK while the vessel tension was wrong by more than `share` and by more
+// than `sigmas` of its own standard deviations [s].
+double longestLie(const Truth& truth, const Trail& trail, double from, double share = 0.1)
+{
+  double longest = 0.0, lasting = 0.0;
+  for (std::size_t i = 0; i < trail.t.size(); ++i)
+  {
+    const double error = std::abs(trail.vessel_tension[i] / truth.vessel_tension[i] - 1.0);
+    const bool lies = trail.t[i] > from && trail.status[i] == Status::OK && error > share;
+    lasting = lies ? lasting + truth.step : 0.0;
+    longest = std::max(longest, lasting);
+  }
+  return longest;
+}
+
+double shareOf(const Trail& trail, Status status, double from, double to)
+{
+  double n = 0.0, hits = 0.0;
+  for (std::size_t i = 0; i < trail.t.size(); ++i)
+    if (trail.t[i] >= from && trail.t[i] < to)
+    {
+      n += 1.0;
+      hits += trail.status[i] == status;
+    }
+  return hits / n;
+}
+}  // namespace
+
+// Two seeds of each; scripts/bench navigation_noise has the whole study.
+TEST(Navigation, TheTensionIsKnownAndSoIsItsBand)
+{
+  double one = 0.0, two = 0.0;
+  int runs = 0;
+  for (const char* name : {"C", "D", "G"})
+    for (const bool is_wrong : {false, true})
+    {
+      const double size = std::string(name) == "G" ? 100.0 : std::string(name) == "D" ? 1000.0 : 0.0;
+      const Truth truth = makeTruth(caseNamed(name), 0.0, (is_wrong ? size : 0.0) * core::Vector3(-0.8, 0.6, 0.0));
+      for (const unsigned seed : {1u, 2u})
+      {
+        Sensors sensors;
+        sensors.seed = seed;
+        Knowledge knowledge;
+        knowledge.drag_factor = is_wrong ? 1.3 : 1.0;
+        monitor::Config config = configFor(truth, knowledge, VehicleMode::OBSERVED, sensors);
+        if (is_wrong && truth.of.name == "C")
+          config.vehicle_body.force.setZero();  // the thousand newtons that it has
+        const Trail trail = observe(truth, config, sensors);
+        const Score s = score(truth, trail);
+        EXPECT_LT(s.rms, is_wrong ? 0.05 : 0.022) << name << seed;
+        EXPECT_LT(std::abs(s.peak), 0.1) << name << seed;
+        EXPECT_FALSE(trail.limit_alarm) << name << seed;
+        EXPECT_GT(s.ok, 0.95) << name << seed;
+        one += s.within_1;
+        two += s.within_2;
+        ++runs;
+      }
+    }
+  EXPECT_NEAR(one / runs, 0.68, 0.1);
+  EXPECT_NEAR(two / runs, 0.95, 0.1);
+}
+
+// Satellite positions of the vessel from two decimetres to two metres: what is lost is known to be lost.
+TEST(Navigation, TheBandKnowsHowWellTheVesselIsSeen)
+{
+  double last = 0.0;
+  for (const auto& [stddev, bound] :
+       {std::make_pair(0.2, 0.08), std::make_pair(0.7, 0.16), std::make_pair(2.0, 0.35)})
+  {
+    double two = 0.0, band = 0.0;
+    for (const char* name : {"C", "D", "G"})
+    {
+      const Truth truth = makeTruth(caseNamed(name), 0.0, core::Vector3::Zero());
+      Sensors sensors;
+      sensors.satellite_stddev = stddev;
+      const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors), sensors);
+      const Score s = score(truth, trail);
+      EXPECT_LT(s.rms, bound) << name << stddev;
+      EXPECT_GT(s.valid, 0.95) << name << stddev;
+      two += s.within_2 / 3.0;
+      band += s.mean_stddev / 3.0;
+    }
+    EXPECT_GT(two, 0.85) << stddev;
+    EXPECT_GT(band, 1.5 * last) << stddev;
+    last = band;
+  }
+}
+
+TEST(Navigation, TheHeldEndIsWorthlessOnTheSameData)
+{
+  const Truth truth = makeTruth(caseNamed("C"), 0.0, core::Vector3::Zero());
+  Sensors sensors;
+  sensors.outliers = 0.0;
+  const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::TRACKED, sensors), sensors);
+  EXPECT_GT(score(truth, trail).rms, 1.0);
+}
+
+TEST(Navigation, SlowerAndLaterPositionsAreStillGood)
+{
+  const Truth truth = makeTruth(caseNamed("D"), 150.0, core::Vector3::Zero());
+  Sensors slow;
+  slow.latency = 3.0;
+  slow.fix_interval = 2.0;
+  EXPECT_LT(score(truth, observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, slow), slow)).rms,
+            0.05)
+      << "every other second, three seconds late";
+}
+
+TEST(Navigation, AGapInTheTurnIsCoveredByTheBand)
+{
+  const Truth truth = makeTruth(caseNamed("D"), 0.0, core::Vector3::Zero());
+  Sensors sensors;
+  sensors.fault = [](double t, core::Vector3&) { return t < 100.0 || t > 280.0; };
+  const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors), sensors);
+  int outside = 0, seen = 0;
+  for (std::size_t i = 0; i < trail.t.size(); ++i)
+    if (trail.t[i] > 100.0 && trail.t[i] < 280.0 && trail.status[i] != Status::INVALID)
+    {
+      ++seen;
+      outside += std::abs(trail.vessel_tension[i] - truth.vessel_tension[i]) > 2.0 * trail.vessel_stddev[i];
+    }
+  EXPECT_EQ(seen, 3599);
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(shareOf(trail, Status::DEGRADED, 110.0, 280.0), 0.99);
+  EXPECT_LT(score(truth, trail, 311.0, 400.0).rms, 0.05);
+  EXPECT_LT(std::abs(score(truth, trail, 281.0, 400.0).peak), 0.1) << "no jump on return";
+  EXPECT_FALSE(trail.limit_alarm);
+}
+
+namespace
+{
+struct Fault
+{
+  const char* what;
+  std::function<bool(double, core::Vector3&)> change;
+  bool shows_at_rest = true;  // whether a vehicle that keeps its station betrays it
+};
+
+std::vector<Fault> faults()
+{
+  const auto stuck = std::make_shared<core::Vector3>(core::Vector3::Zero());
+  const auto freeze = [stuck](double t, core::Vector3& p)
+  {
+    *stuck = t < 100.0 ? p : *stuck;
+    p = *stuck;
+    return true;
+  };
+  const auto shift = [](const core::Vector3& by)
+  {
+    return [by](double t, core::Vector3& p)
+    {
+      p += t > 100.0 ? by : core::Vector3::Zero();
+      return true;
+    };
+  };
+  return {{"frozen", freeze},
+          {"frozen but for its noise",
+           [=](double t, core::Vector3& p)
+           {
+             freeze(t, p);
+             p += 0.3 * core::Vector3(std::sin(17.0 * t), std::sin(23.0 * t), std::sin(31.0 * t));
+             return true;
+           },
+           false},
+          {"teleporting",
+           [](double t, core::Vector3& p)
+           {
+             const double place = std::floor(t / 7.0);
+             if (t > 100.0)
+               p += 60.0 * core::Vector3(std::sin(2.3 * place), std::cos(1.7 * place), 0.3);
+             return true;
+           }},
+          {"100 m aside", shift({0.0, 100.0, 0.0})},
+          {"100 m too deep", shift({0.0, 0.0, -100.0})}};
+}
+}  // namespace
+
+TEST(Navigation, FaultyPositionsNeverPassForGood)
+{
+  for (const char* name : {"C", "D", "G"})
+  {
+    const Truth truth = makeTruth(caseNamed(name), 400.0, core::Vector3::Zero());
+    for (const Fault& fault : faults())
+    {
+      Sensors sensors;
+      sensors.fault = fault.change;
+      const Trail trail = observe(truth, configFor(truth, Knowledge(), VehicleMode::OBSERVED, sensors), sensors);
+      EXPECT_LE(longestLie(truth, trail, 60.0), 2.0) << name << ", " << fault.what;
+      if (fault.shows_at_rest || std::string(name) != "G")
+      {
+        EXPECT_LT(shareOf(trail, Status::OK, 110.0, 400.0), 0.02) << name << ", " << fault.what << ": it is seen";
+      }
+      if (std::string(name) != "G")
+      {
+        EXPECT_LT(std::abs(score(truth, trail).peak), 0.1) << name << ", " << fault.what << ": nothing follows it";
+      }
+    }
+  }
+}
+
+TEST(Navigation, ATautTetherThatIsTooShortSaysSo)
+{
+  const Truth truth = makeTruth(caseNamed("C"), 0.0, core::Vector3::Zero());
+  Sensors sensors;
+  Knowledge knowledge;
+  knowledge.length_factor = 0.99;
+  const Trail trail = observe(truth, configFor(truth, knowledge, VehicleMode::OBSERVED, sensors), sensors);
+  const Score s = score(truth, trail, 20.0);
+  EXPECT_LT(s.peak, 0.1) << "no spike";
+  EXPECT_LT(shareOf(trail, Status::OK, 20.0, 200.0), 0.02);
+  EXPECT_TRUE(std::count(trail.reason.begin(), trail.reason.end(), Reason::OUT_OF_RANGE) > 2000);
+}
+}  // namespace tether_monitor::bench

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "verification/random_tether.h"
+
+namespace tether_monitor::fuzz
+{
+/// A random element in a random state, through every kernel: what is wrong with its residual or tangent, or
+/// nothing. Finite coordinates must give finite forces, and all kernels the same.
+std::string checkElement(RandomSource& dice);
+
+/// A random tether in random motion, with teleports, reversals and garbage, through the estimator. Every estimate
+/// must be finite, or INVALID with a reason; the iterations must stay within the budget.
+std::string checkTether(RandomSource& dice);
+}  // namespace tether_monitor::fuzz
