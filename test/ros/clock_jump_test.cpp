@@ -1,13 +1,13 @@
 #include <cmath>
 
 #include "common/main.h"
-#include "common/scenario.h"
+#include "common/ros_test_bench.h"
 
 using namespace tether_monitor;
 
 TEST(ClockJump, BackwardsStartsAnew)
 {
-  Scenario scenario;
+  RosTestBench scenario;
   scenario.run(3.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
 
@@ -33,7 +33,7 @@ TEST(ClockJump, BackwardsStartsAnew)
 
 TEST(ClockJump, APauseIsNoJump)
 {
-  Scenario scenario;
+  RosTestBench scenario;
   scenario.time = 2000.0;
   scenario.run(3.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
@@ -44,7 +44,7 @@ TEST(ClockJump, APauseIsNoJump)
 
 TEST(Reset, ForgetsAndSettlesAnew)
 {
-  Scenario scenario;
+  RosTestBench scenario;
   scenario.time = 3000.0;
   scenario.run(3.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";

@@ -1,13 +1,13 @@
 #include <cmath>
 
 #include "common/main.h"
-#include "common/scenario.h"
+#include "common/ros_test_bench.h"
 
 using namespace tether_monitor;
 
 TEST(RejectedInput, IsDiagnosedAndHarmsNothing)
 {
-  Scenario scenario;
+  RosTestBench scenario;
   scenario.run(2.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
   const double tension = scenario.state.vessel_tension;

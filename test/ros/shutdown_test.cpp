@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/main.h"
-#include "common/scenario.h"
+#include "common/ros_test_bench.h"
 
 using namespace tether_monitor;
 
@@ -32,7 +32,7 @@ pid_t nodeProcess()
 
 TEST(Shutdown, IsCleanWithinASecondOfSigint)
 {
-  Scenario scenario;
+  RosTestBench scenario;
   scenario.run(1.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
   ASSERT_TRUE(ros::param::has("/rov1/tether_monitor/tether/length"));

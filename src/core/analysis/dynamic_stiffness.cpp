@@ -2,8 +2,6 @@
 
 #include <Eigen/Dense>
 
-#include "tether_monitor/core/assembly/end_body_condensation.h"
-
 namespace tether_monitor::core
 {
 EndDynamicStiffnessSolver::EndDynamicStiffnessSolver(int nodes)
@@ -11,17 +9,18 @@ EndDynamicStiffnessSolver::EndDynamicStiffnessSolver(int nodes)
 {
 }
 
-bool EndDynamicStiffnessSolver::solve(const CableModel& model, const CableState& state, double sigma,
-                                      EndDynamicStiffness& impedance)
+bool EndDynamicStiffnessSolver::solve(const DeployedCable& cable, const CableState& state, double sigma,
+                                      EndDynamicStiffness& stiffness)
 {
-  const int last = model.elements();
+  const int last = cable.elements();
   const TangentWeights weights{sigma * sigma, sigma, 1.0};
-  model.assemble(state, weights, residual_, tangent_);
+  cable.assemble(state, weights, residual_, tangent_);
 
   const Matrix3 without_body = tangent_.diagonal(last).topLeftCorner<3, 3>();
-  CondensedBody coupling;
-  coupling.assemble(*model.bodies().vehicle, model.sea(), state.time, attachmentMotion(state, last), state.vehicle,
-                    Wrench(), weights, residual_.back(), tangent_.diagonal(last));
+  CondensedBody condensed;
+  const Wrench no_thrust;
+  condensed.assemble({*cable.bodies().vehicle, static_cast<std::size_t>(last), state.vehicle, no_thrust},
+                     cable.environment(), state, weights, residual_.back(), tangent_.diagonal(last));
   const Matrix3 body = tangent_.diagonal(last).topLeftCorner<3, 3>() - without_body;
 
   const Eigen::Matrix<double, 3, 6> own = tangent_.diagonal(0).topRows<3>();
@@ -41,11 +40,17 @@ bool EndDynamicStiffnessSolver::solve(const CableModel& model, const CableState&
   tangent_.solveWithFactors(columns_);
 
   const Eigen::Matrix<double, 3, 6> reaction = own * columns_[0] + next * columns_[1];
-  impedance.vehicle = columns_.back().topRightCorner<3, 3>().inverse();
-  impedance.tether = impedance.vehicle - body;
-  impedance.transfer = reaction.rightCols<3>() * impedance.vehicle;
-  impedance.vessel = reaction.leftCols<3>();
-  return impedance.vehicle.allFinite() && impedance.vessel.allFinite() && impedance.transfer.allFinite();
+  stiffness.vehicle = columns_.back().topRightCorner<3, 3>().inverse();
+  stiffness.tether = stiffness.vehicle - body;
+  stiffness.transfer = reaction.rightCols<3>() * stiffness.vehicle;
+  stiffness.vessel = reaction.leftCols<3>();
+  return stiffness.vehicle.allFinite() && stiffness.vessel.allFinite() && stiffness.transfer.allFinite();
+}
+
+bool EndDynamicStiffnessSolver::solve(const CableModel& model, const CableState& state, double sigma,
+                                      EndDynamicStiffness& stiffness)
+{
+  return solve(DeployedCable(model, state.deployment), state, sigma, stiffness);
 }
 
 }  // namespace tether_monitor::core

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tether_monitor/core/assembly/prescribed_ends.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
 
@@ -20,38 +21,36 @@ constexpr int MAX_SWEEPS = 200;
 constexpr double EIGENVALUE_TOLERANCE = 1e-10;
 
 // Column of every free coordinate, -1 where the node is held.
-std::vector<int> freeCoordinates(const CableModel& model)
+std::vector<int> freeCoordinates(const DeployedCable& cable)
 {
-  const PrescribedEnds held = prescribedEnds(model);
-  std::vector<int> column(6 * model.nodes(), 0);
+  const PrescribedEnds held = prescribedEnds(cable.bodies());
+  std::vector<int> column(6 * cable.nodes(), 0);
   int count = 0;
-  for (int i = 0; i < 6 * model.nodes(); ++i)
+  for (int i = 0; i < 6 * cable.nodes(); ++i)
   {
-    const bool fixed = (held.vessel && i < 3) || (held.vehicle && i >= 6 * model.elements() && i % 6 < 3);
+    const bool fixed = (held.vessel && i < 3) || (held.vehicle && i >= 6 * cable.elements() && i % 6 < 3);
     column[i] = fixed ? -1 : count++;
   }
   return column;
 }
 
 // Symmetric part of an iteration matrix over the free coordinates.
-Sparse symmetric(const CableModel& model, const CableState& state, const TangentWeights& weights,
+Sparse symmetric(const DeployedCable& cable, const CableState& state, const TangentWeights& weights,
                  const std::vector<int>& column, int size)
 {
-  NodeField residual(model.nodes(), NodeCoords::Zero());
-  BlockTridiagonal matrix(model.nodes());
-  model.assemble(state, weights, residual, matrix);
+  NodeField residual(cable.nodes(), NodeCoords::Zero());
+  BlockTridiagonal matrix(cable.nodes());
+  cable.assemble(state, weights, residual, matrix);
   const auto addBody = [&](const RigidBody& body, int node)
   {
-    const AttachmentMotion at = attachmentMotion(state, node);
+    const RigidBodyMotion motion = rigidBodyMotion(state, node, node == 0 ? state.vessel : state.vehicle);
     matrix.diagonal(node).topLeftCorner<3, 3>() +=
-        rigidBodyResidual(body, model.sea(), state.time, at, node == 0 ? state.vessel : state.vehicle, Wrench(),
-                          weights)
-            .force_n;
+        rigidBodyResidual(body, cable.environment(), motion, Wrench(), weights).force_n;
   };
-  if (model.bodies().vessel)
-    addBody(*model.bodies().vessel, 0);
-  if (model.bodies().vehicle)
-    addBody(*model.bodies().vehicle, model.elements());
+  if (cable.bodies().vessel)
+    addBody(*cable.bodies().vessel, 0);
+  if (cable.bodies().vehicle)
+    addBody(*cable.bodies().vehicle, cable.elements());
 
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](int row_node, int column_node, const NodeMatrix& block)
@@ -66,10 +65,10 @@ Sparse symmetric(const CableModel& model, const CableState& state, const Tangent
         entries.emplace_back(col, row, 0.5 * block(i, j));
       }
   };
-  for (int i = 0; i < model.nodes(); ++i)
+  for (int i = 0; i < cable.nodes(); ++i)
   {
     add(i, i, matrix.diagonal(i));
-    if (i + 1 == model.nodes())
+    if (i + 1 == cable.nodes())
       break;
     add(i, i + 1, matrix.upper(i));
     add(i + 1, i, matrix.lower(i));
@@ -80,16 +79,16 @@ Sparse symmetric(const CableModel& model, const CableState& state, const Tangent
 }
 
 // Share of the kinetic energy that runs along the tether.
-double axialShare(const CableModel& model, const CableState& state, const NodeField& shape)
+double axialShare(const DeployedCable& cable, const CableState& state, const NodeField& shape)
 {
   double along = 0.0, all = 0.0;
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
     for (const QuadraturePoint& point : QUADRATURE)
     {
-      const double l = model.element(i).length;
+      const double l = cable.element(i).length;
       const Vector3 x = interpolate(shapeFunctions(point.xi, l), elementCoords(shape, i));
       const Vector3 t = interpolate(shapeSlopes(point.xi, l), elementCoords(state.q, i)).normalized();
-      const double weight = point.weight * l * model.element(i).mass;
+      const double weight = point.weight * l * cable.element(i).mass;
       along += weight * x.dot(t) * x.dot(t);
       all += weight * x.squaredNorm();
     }
@@ -105,29 +104,28 @@ NodeField spread(const Eigen::VectorXd& x, const std::vector<int>& column, int n
   return field;
 }
 
-double largestDisplacement(const CableModel& model, const NodeField& shape)
+double largestDisplacement(const DeployedCable& cable, const NodeField& shape)
 {
   double largest = 0.0;
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
     for (const double xi : {0.0, 0.5, 1.0})
       largest = std::max(largest,
-                         interpolate(shapeFunctions(xi, model.element(i).length), elementCoords(shape, i)).norm());
+                         interpolate(shapeFunctions(xi, cable.element(i).length), elementCoords(shape, i)).norm());
   return largest;
 }
 }  // namespace
 
 std::vector<Mode> naturalModes(const CableModel& given, const CableState& state, int count)
 {
-  CableModel model = given;
-  model.sea().withoutWaves();
+  const DeployedCable cable(given.withEnvironment(given.environment().withoutWaves()), state.deployment);
   CableState still = state;
   for (NodeField* rate : {&still.a, &still.algorithmic_acceleration})
     for (NodeCoords& x : *rate)
       x.setZero();
-  const std::vector<int> column = freeCoordinates(model);
+  const std::vector<int> column = freeCoordinates(cable);
   const int size = *std::max_element(column.begin(), column.end()) + 1;
-  const Sparse K = symmetric(model, still, TangentWeights{0.0, 0.0, 1.0}, column, size);
-  const Sparse M = symmetric(model, still, TangentWeights{1.0, 0.0, 0.0}, column, size);
+  const Sparse K = symmetric(cable, still, TangentWeights{0.0, 0.0, 1.0}, column, size);
+  const Sparse M = symmetric(cable, still, TangentWeights{1.0, 0.0, 0.0}, column, size);
   count = std::min(count, size);
   const int vectors = std::min(size, 2 * count + EXTRA_VECTORS);
 
@@ -165,11 +163,11 @@ std::vector<Mode> naturalModes(const CableModel& given, const CableState& state,
       continue;
     Mode mode;
     mode.frequency = std::sqrt(values[j]) / (2.0 * M_PI);
-    mode.shape = spread(X.col(j), column, model.nodes());
-    const double largest = largestDisplacement(model, mode.shape);
+    mode.shape = spread(X.col(j), column, cable.nodes());
+    const double largest = largestDisplacement(cable, mode.shape);
     for (NodeCoords& node : mode.shape)
       node /= largest;
-    mode.kind = axialShare(model, still, mode.shape) > 0.5 ? ModeKind::AXIAL : ModeKind::TRANSVERSE;
+    mode.kind = axialShare(cable, still, mode.shape) > 0.5 ? ModeKind::AXIAL : ModeKind::TRANSVERSE;
     modes.push_back(mode);
   }
   return modes;

@@ -18,60 +18,63 @@ struct Piece
   Vector3 place, slope, velocity;
 };
 
-Piece middleOf(const CableModel& model, const CableState& state, int i)
+Piece middleOf(const DeployedCable& cable, const CableState& state, int i)
 {
-  const double l = model.element(i).length;
+  const double l = cable.element(i).length;
   const ShapeValues S = shapeFunctions(0.5, l);
   return {interpolate(S, elementCoords(state.q, i)), interpolate(shapeSlopes(0.5, l), elementCoords(state.q, i)),
           interpolate(S, elementCoords(state.v, i))};
 }
 
 // Speed of transverse waves; 0 where slack.
-double waveSpeed(const CableModel& model, const ElementParameters& e, const Piece& at)
+double waveSpeed(const DeployedCable& cable, const ElementParameters& e, const Piece& at)
 {
   const double strain = 0.5 * (at.slope.squaredNorm() / (e.natural_stretch * e.natural_stretch) - 1.0);
-  const double added = at.place.z() < 0.0 ? model.sea().density() * e.area * e.added_mass : 0.0;
+  const double added = at.place.z() < 0.0 ? cable.environment().density() * e.area * e.added_mass : 0.0;
   return std::sqrt(std::max(e.axial.stiffness * strain, 0.0) / (e.mass + added));
 }
 }  // namespace
 
-double sheddingFrequency(const CableModel& model, const CableState& state, int i)
+double sheddingFrequency(const DeployedCable& cable, const CableState& state, int i)
 {
-  const Piece at = middleOf(model, state, i);
+  const Piece at = middleOf(cable, state, i);
   const double length = at.slope.norm();
   if (at.place.z() >= 0.0 || !(length > 0.0))
     return 0.0;
   const Vector3 t = at.slope / length;
-  const Vector3 u = at.velocity - model.sea().waterKinematics(at.place, state.time).velocity;
-  return STROUHAL * (u - u.dot(t) * t).norm() / model.element(i).diameter;
+  const Vector3 u = at.velocity - cable.environment().waterKinematics(at.place, state.time).velocity;
+  return STROUHAL * (u - u.dot(t) * t).norm() / cable.element(i).diameter;
 }
 
-VortexShedding findLockIn(CableModel& model, const CableState& state, double factor)
+VortexShedding findLockIn(const DeployedCable& cable, const CableState& state, double amplification,
+                          std::vector<double>& drag_factor)
 {
   VortexShedding found;
+  if (amplification != 1.0)
+    drag_factor.resize(cable.elements());
   double travel = 0.0;  // of a wave from end to end [s]
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
   {
-    const ElementParameters& e = model.element(i);
-    travel += e.length / std::max(waveSpeed(model, e, middleOf(model, state, i)), 1e-3);
+    const ElementParameters& e = cable.element(i);
+    travel += e.length / std::max(waveSpeed(cable, e, middleOf(cable, state, i)), 1e-3);
   }
   found.fundamental_frequency = 0.5 / travel;
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
   {
-    const ElementParameters& e = model.element(i);
-    const double shedding = sheddingFrequency(model, state, i);
-    const double half_wave = 0.5 * waveSpeed(model, e, middleOf(model, state, i)) / std::max(shedding, 1e-9);
-    const bool strums = shedding * e.diameter > STROUHAL * LEAST_FLOW &&
-                        shedding > LOCK_IN * found.fundamental_frequency &&
-                        half_wave > SHORTEST_HALF_WAVE * e.diameter;
-    if (factor != 1.0)
-      model.setDragFactor(i, strums ? factor : 1.0);
-    if (!strums)
+    const ElementParameters& e = cable.element(i);
+    const double shedding = sheddingFrequency(cable, state, i);
+    const double half_wave = 0.5 * waveSpeed(cable, e, middleOf(cable, state, i)) / std::max(shedding, 1e-9);
+    const bool locks_in = shedding * e.diameter > STROUHAL * LEAST_FLOW &&
+                          shedding > LOCK_IN * found.fundamental_frequency &&
+                          half_wave > SHORTEST_HALF_WAVE * e.diameter;
+    if (amplification != 1.0)
+      drag_factor[i] = locks_in ? amplification : 1.0;
+    if (!locks_in)
       continue;
     if (shedding > found.highest_frequency)
     {
       found.highest_frequency = shedding;
-      found.s = model.arcLength(i) + 0.5 * e.length;
+      found.s = cable.arcLength(i) + 0.5 * e.length;
     }
     found.lowest_frequency = found.length > 0.0 ? std::min(found.lowest_frequency, shedding) : shedding;
     found.length += e.length;

@@ -9,23 +9,23 @@ namespace tether_monitor::core
 {
 namespace
 {
-using namespace kernel;  // NOLINT: the border of the kernels is spoken here
+using namespace kernel;  // NOLINT: all of this file is about the kernels
 
 constexpr int WATER_TABLE = POINTS * WATER_ROWS * BLOCK;
 
-Surroundings surroundings(const EnvironmentModel& sea)
+Surroundings surroundings(const EnvironmentModel& environment)
 {
-  const Vector3 current = sea.waterKinematics(Vector3::Zero(), 0.0).velocity;
-  return {sea.density(),
-          sea.gravity(),
+  const Vector3 current = environment.waterKinematics(Vector3::Zero(), 0.0).velocity;
+  return {environment.density(),
+          environment.gravity(),
           EnvironmentModel::AIR_DENSITY,
           {current.x(), current.y(), current.z()},
-          {sea.wind().x(), sea.wind().y(), sea.wind().z()},
-          sea.hasWind()};
+          {environment.wind().x(), environment.wind().y(), environment.wind().z()},
+          environment.hasWind()};
 }
 
-void sampleWater(const EnvironmentModel& sea, const CableState& state, int first, int count, double length_of[],
-                 double* table)
+void sampleWater(const EnvironmentModel& environment, const CableState& state, int first, int count,
+                 double length_of[], double* table)
 {
   for (int g = 0; g < POINTS; ++g)
     for (int lane = 0; lane < BLOCK; ++lane)
@@ -33,7 +33,7 @@ void sampleWater(const EnvironmentModel& sea, const CableState& state, int first
       const int i = first + std::min(lane, count - 1);
       const Vector3 r = interpolate(shapeFunctions(QUADRATURE[g].xi, length_of[std::min(lane, count - 1)]),
                                     elementCoords(state.q, i));
-      const WaterKinematics water = sea.waterKinematics(r, state.time);
+      const WaterKinematics water = environment.waterKinematics(r, state.time);
       double* at = table + g * WATER_ROWS * BLOCK + lane;
       for (int k = 0; k < 3; ++k)
       {
@@ -67,23 +67,23 @@ void ElementAssembler::set(int i, const ElementParameters& p)
     put(AXIAL_STIFFNESS, p.axial.stiffness);
     put(AXIAL_VISCOSITY, p.axial.damping * p.axial.stiffness);
     put(COMPRESSION_LIMIT, p.axial.compression_limit);
-    put(AXIAL_RESIDUAL, p.axial.residual);
+    put(COMPRESSION_STIFFNESS_RATIO, p.axial.compression_stiffness_ratio);
     put(BENDING_STIFFNESS, p.bending_stiffness);
     put(COMPRESSION, p.compression);
     put(NATURAL_STRETCH, p.natural_stretch);
-    put(TRANSPORT_GROWTH, p.flow.active ? p.flow.growth : 0.0);
-    put(TRANSPORT_ACCELERATION, p.flow.active ? p.flow.acceleration : 0.0);
-    put(TRANSPORT_SPEED_A, p.flow.active ? p.flow.speed_a : 0.0);
-    put(TRANSPORT_SPEED_B, p.flow.active ? p.flow.speed_b : 0.0);
-    put(TRANSPORT_RATE_A, p.flow.active ? p.flow.rate_a : 0.0);
-    put(TRANSPORT_RATE_B, p.flow.active ? p.flow.rate_b : 0.0);
+    put(TRANSPORT_GROWTH, p.transport.active ? p.transport.growth : 0.0);
+    put(TRANSPORT_ACCELERATION, p.transport.active ? p.transport.acceleration : 0.0);
+    put(TRANSPORT_SPEED_A, p.transport.active ? p.transport.speed_a : 0.0);
+    put(TRANSPORT_SPEED_B, p.transport.active ? p.transport.speed_b : 0.0);
+    put(TRANSPORT_RATE_A, p.transport.active ? p.transport.rate_a : 0.0);
+    put(TRANSPORT_RATE_B, p.transport.active ? p.transport.rate_b : 0.0);
     block.damping[lane] = p.axial.damping > 0.0;
     block.compression[lane] = p.compression > 0.0;
-    block.flow[lane] = p.flow.active;
+    block.transport[lane] = p.transport.active;
   }
 }
 
-ElementBlock ElementAssembler::block(const EnvironmentModel& sea, const Surroundings& around,
+ElementBlock ElementAssembler::block(const EnvironmentModel& environment, const Surroundings& around,
                                      const CableState& state, int first, int count, double* water) const
 {
   const Constants& constants = blocks_[first / BLOCK];
@@ -95,42 +95,42 @@ ElementBlock ElementAssembler::block(const EnvironmentModel& sea, const Surround
   out.constants = constants.x[0];
   out.has_damping = any(constants.damping);
   out.has_compression = any(constants.compression);
-  out.has_transport = any(constants.flow);
+  out.has_transport = any(constants.transport);
   out.q = state.q[first].data();
   out.v = state.v[first].data();
   out.a = state.a[first].data();
   out.around = &around;
-  if (!sea.isUniform())
+  if (!environment.isUniform())
   {
     double length[BLOCK];
     std::copy(constants.x[LENGTH], constants.x[LENGTH] + BLOCK, length);
-    sampleWater(sea, state, first, count, length, water);
+    sampleWater(environment, state, first, count, length, water);
     out.water = water;
   }
   return out;
 }
 
-void ElementAssembler::residuals(const Kernel& kernel, const EnvironmentModel& sea, const CableState& state,
-                                 int first, int count, ElementCoords* out) const
+void ElementAssembler::residuals(const Kernel& kernel, const EnvironmentModel& environment,
+                                 const CableState& state, int first, int count, ElementCoords* out) const
 {
   alignas(64) double water[WATER_TABLE];
-  const Surroundings around = surroundings(sea);
-  ElementBlock b = block(sea, around, state, first, count, water);
+  const Surroundings around = surroundings(environment);
+  ElementBlock b = block(environment, around, state, first, count, water);
   b.element_residual = out->data();
   kernel.residuals(b);
 }
 
-void ElementAssembler::assemble(const Kernel& kernel, const EnvironmentModel& sea, const CableState& state,
+void ElementAssembler::assemble(const Kernel& kernel, const EnvironmentModel& environment, const CableState& state,
                                 const TangentWeights& weights, TangentKind kind, NodeField& residual,
                                 BlockTridiagonal& tangent) const
 {
   alignas(64) double water[WATER_TABLE];
-  const Surroundings around = surroundings(sea);
+  const Surroundings around = surroundings(environment);
   residual.front().setZero();
   tangent.diagonal(0).setZero();
   for (int first = 0; first < count_; first += BLOCK)
   {
-    ElementBlock b = block(sea, around, state, first, std::min(BLOCK, count_ - first), water);
+    ElementBlock b = block(environment, around, state, first, std::min(BLOCK, count_ - first), water);
     b.mass = weights.mass;
     b.damping = weights.damping;
     b.stiffness = weights.stiffness;

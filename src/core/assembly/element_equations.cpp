@@ -24,22 +24,22 @@ CableState stateOf(const ElementMotion& motion)
 }
 }  // namespace
 
-void elementResidual(const ElementParameters& p, const EnvironmentModel& sea, const ElementMotion& motion,
+void elementResidual(const ElementParameters& p, const EnvironmentModel& environment, const ElementMotion& motion,
                      ElementCoords& residual)
 {
-  ElementAssembler field(1);
-  field.set(0, p);
-  field.residuals(kernel::best(), sea, stateOf(motion), 0, 1, &residual);
+  ElementAssembler assembler(1);
+  assembler.set(0, p);
+  assembler.residuals(kernel::best(), environment, stateOf(motion), 0, 1, &residual);
 }
 
-void elementResidual(const ElementParameters& p, const EnvironmentModel& sea, const ElementMotion& motion,
+void elementResidual(const ElementParameters& p, const EnvironmentModel& environment, const ElementMotion& motion,
                      const TangentWeights& weights, ElementCoords& residual, ElementMatrix& tangent)
 {
-  ElementAssembler field(1);
-  field.set(0, p);
+  ElementAssembler assembler(1);
+  assembler.set(0, p);
   NodeField nodes(2);
   BlockTridiagonal matrix(2);
-  field.assemble(kernel::best(), sea, stateOf(motion), weights, TangentKind::COMPLETE, nodes, matrix);
+  assembler.assemble(kernel::best(), environment, stateOf(motion), weights, TangentKind::COMPLETE, nodes, matrix);
   residual << nodes[0], nodes[1];
   tangent << matrix.diagonal(0), matrix.upper(0), matrix.lower(0), matrix.diagonal(1);
 }
@@ -61,13 +61,13 @@ ElementEnergy elementEnergy(const ElementParameters& p, double gravity, const El
     const double weight = point.weight * p.length;
     const Vector3 slope = interpolate(shapeSlopes(point.xi, p.length), q);
     const double strain = 0.5 * (slope.squaredNorm() / (p.natural_stretch * p.natural_stretch) - 1.0);
-    energy.axial += point.axial * p.length * p.natural_stretch * axialLaw(p.axial, strain).energy;
+    energy.axial += point.axial * p.length * p.natural_stretch * axialEnergy(p.axial, strain);
     energy.weight += weight * p.mass * gravity * interpolate(shapeFunctions(point.xi, p.length), q).z();
   }
   for (const int node : {3, 9})
   {
     const double strain = 0.5 * (q.segment<3>(node).squaredNorm() / (p.natural_stretch * p.natural_stretch) - 1.0);
-    energy.axial += AXIAL_AT_NODES * p.length * p.natural_stretch * axialLaw(p.axial, strain).energy;
+    energy.axial += AXIAL_AT_NODES * p.length * p.natural_stretch * axialEnergy(p.axial, strain);
   }
   return energy;
 }

@@ -11,38 +11,38 @@ namespace
 constexpr double QUIET_SHARE = 0.1;  // of the dry weight: a force that counts where nothing pulls
 
 // Rounding of coordinates [m] makes strains, and so forces, uncertain by this much [N].
-double roundOff(const CableModel& model, const NodeField& q)
+double roundOff(const DeployedCable& cable, const NodeField& q)
 {
   double extent = 0.0;
   for (const NodeCoords& node : q)
     extent = std::max(extent, node.head<3>().lpNorm<Eigen::Infinity>());
-  return 4.0 * std::numeric_limits<double>::epsilon() * model.largestStiffness() *
-         (model.length() / model.elements() + extent);
+  return 4.0 * std::numeric_limits<double>::epsilon() * cable.largestStiffness() *
+         (cable.length() / cable.elements() + extent);
 }
 }  // namespace
 
-PrescribedEnds prescribedEnds(const CableModel& model)
+PrescribedEnds prescribedEnds(const EndBodies& bodies)
 {
-  return {!model.bodies().vessel, !model.bodies().vehicle};
+  return {!bodies.vessel, !bodies.vehicle};
 }
 
-void placePrescribedEnds(const CableModel& model, const BoundaryConditions& ends, CableState& trial)
+void placePrescribedEnds(const EndBodies& bodies, const BoundaryConditions& ends, CableState& trial)
 {
-  const auto place = [&](const EndTrajectory& path, std::size_t node)
+  const auto place = [&](const EndTrajectory& trajectory, std::size_t node)
   {
-    trial.q[node].head<3>() = path.position(trial.time);
-    trial.v[node].head<3>() = path.velocity(trial.time);
-    trial.a[node].head<3>() = path.acceleration(trial.time);
+    trial.q[node].head<3>() = trajectory.position(trial.time);
+    trial.v[node].head<3>() = trajectory.velocity(trial.time);
+    trial.a[node].head<3>() = trajectory.acceleration(trial.time);
     trial.algorithmic_acceleration[node].head<3>() = trial.a[node].head<3>();
   };
-  const PrescribedEnds held = prescribedEnds(model);
+  const PrescribedEnds held = prescribedEnds(bodies);
   if (held.vessel)
     place(ends.vessel, 0);
   if (held.vehicle)
     place(ends.vehicle, trial.q.size() - 1);
 }
 
-ResidualSize imposePrescribedEnds(const CableModel& model, const NodeField& q, const NewtonOptions& options,
+ResidualSize imposePrescribedEnds(const DeployedCable& cable, const NodeField& q, const NewtonOptions& options,
                                   const PrescribedEnds& held, NodeField& residual, double reaction)
 {
   const auto hold = [&](NodeCoords& row)
@@ -55,11 +55,11 @@ ResidualSize imposePrescribedEnds(const CableModel& model, const NodeField& q, c
   if (held.vehicle)
     hold(residual.back());
   ResidualSize size{
-      0.0, options.relative_tolerance * (QUIET_SHARE * model.forceScale() + reaction) + roundOff(model, q)};
+      0.0, options.relative_tolerance * (QUIET_SHARE * cable.forceScale() + reaction) + roundOff(cable, q)};
   double sum = reaction;
-  for (int i = 0; i < model.nodes(); ++i)
+  for (int i = 0; i < cable.nodes(); ++i)
   {
-    const double l = model.element(std::min(i, model.elements() - 1)).length;
+    const double l = cable.element(std::min(i, cable.elements() - 1)).length;
     size.largest = std::max({size.largest, residual[i].head<3>().lpNorm<Eigen::Infinity>(),
                              residual[i].tail<3>().lpNorm<Eigen::Infinity>() / l});
     sum += residual[i].sum();

@@ -37,18 +37,6 @@ void interpolateStrain(std::vector<double>& strain)
 }
 }  // namespace
 
-EndForces endForces(const CableModel& model, const CableState& state)
-{
-  std::array<ElementCoords, kernel::BLOCK> parts;
-  EndForces ends;
-  model.elementResiduals(0, state, parts);
-  ends.vessel = -parts[0].segment<3>(0);  // (M13)
-  const int last = (model.elements() - 1) / kernel::BLOCK * kernel::BLOCK;
-  const int count = model.elementResiduals(last, state, parts);
-  ends.vehicle = -parts[count - 1].segment<3>(6);
-  return ends;
-}
-
 StationProfile::StationProfile(int elements)
 {
   const std::size_t n = 2 * elements + 1;
@@ -60,19 +48,19 @@ StationProfile::StationProfile(int elements)
   stress.assign(n, 0.0);
 }
 
-void computeStations(const CableModel& model, const CableState& state, StationProfile& field)
+void computeStations(const DeployedCable& cable, const CableState& state, StationProfile& profile)
 {
-  const int N = model.elements();
-  field.stretched_length = 0.0;
-  field.max_element_rotation = 0.0;
+  const int N = cable.elements();
+  profile.stretched_length = 0.0;
+  profile.max_element_rotation = 0.0;
   Vector3 curvature_before = Vector3::Zero();
   std::array<ElementCoords, kernel::BLOCK> parts;
   for (int i = 0; i < N; ++i)
   {
-    const double l = model.element(i).length;
+    const double l = cable.element(i).length;
     const ElementCoords q = elementCoords(state.q, i);
     if (i % kernel::BLOCK == 0)
-      model.elementResiduals(i, state, parts);
+      cable.elementResiduals(i, state, parts);
     const ElementCoords& force = parts[i % kernel::BLOCK];
     const Vector3 ta = direction(state.q[i]);
     const Vector3 tb = direction(state.q[i + 1]);
@@ -80,46 +68,46 @@ void computeStations(const CableModel& model, const CableState& state, StationPr
     // The force that an element receives at a node is what the tether carries there, (M14).
     const double tension_a = -force.segment<3>(0).dot(ta);
     const double tension_b = force.segment<3>(6).dot(tb);
-    field.tension[2 * i] = i == 0 ? tension_a : 0.5 * (field.tension[2 * i] + tension_a);
-    field.tension[2 * i + 1] = 0.5 * (tension_a + tension_b);
-    field.tension[2 * i + 2] = tension_b;
-    const double area = model.elementProperties(i).stressArea();
-    const double stress_a = field.tension[2 * i] / area;
-    field.stress[2 * i] = i == 0 ? stress_a : std::max(stress_a, field.stress[2 * i]);
-    field.stress[2 * i + 1] = field.tension[2 * i + 1] / area;
-    field.stress[2 * i + 2] = tension_b / area;
+    profile.tension[2 * i] = i == 0 ? tension_a : 0.5 * (profile.tension[2 * i] + tension_a);
+    profile.tension[2 * i + 1] = 0.5 * (tension_a + tension_b);
+    profile.tension[2 * i + 2] = tension_b;
+    const double area = cable.model().elementProperties(i).stressArea();
+    const double stress_a = profile.tension[2 * i] / area;
+    profile.stress[2 * i] = i == 0 ? stress_a : std::max(stress_a, profile.stress[2 * i]);
+    profile.stress[2 * i + 1] = profile.tension[2 * i + 1] / area;
+    profile.stress[2 * i + 2] = tension_b / area;
 
     const Vector3 curvature_a = interpolate(shapeCurvatures(0.0, l), q);
     const Vector3 curvature_b = interpolate(shapeCurvatures(1.0, l), q);
     const Vector3 at_a = i == 0 ? curvature_a : Vector3(0.5 * (curvature_before + curvature_a));
-    field.bend_radius[2 * i] = radiusOfCurvature(q.segment<3>(3), at_a);
-    field.bend_radius[2 * i + 1] =
+    profile.bend_radius[2 * i] = radiusOfCurvature(q.segment<3>(3), at_a);
+    profile.bend_radius[2 * i + 1] =
         radiusOfCurvature(interpolate(shapeSlopes(0.5, l), q), interpolate(shapeCurvatures(0.5, l), q));
-    field.bend_radius[2 * i + 2] = radiusOfCurvature(q.segment<3>(9), curvature_b);
+    profile.bend_radius[2 * i + 2] = radiusOfCurvature(q.segment<3>(9), curvature_b);
     curvature_before = curvature_b;
 
     for (int half = 0; half < 2; ++half)
     {
-      field.s[2 * i + half] = model.arcLength(i) + 0.5 * half * l;
-      field.position[2 * i + half] = interpolate(shapeFunctions(0.5 * half, l), q);
+      profile.s[2 * i + half] = cable.arcLength(i) + 0.5 * half * l;
+      profile.position[2 * i + half] = interpolate(shapeFunctions(0.5 * half, l), q);
     }
     double stretch = 0.0;
     for (const QuadraturePoint& point : QUADRATURE)
       stretch += point.weight * interpolate(shapeSlopes(point.xi, l), q).norm();
-    field.stretched_length += l * stretch;
-    field.strain[2 * i + 1] = stretch / model.element(i).natural_stretch - 1.0;
-    field.max_element_rotation =
-        std::max(field.max_element_rotation, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
+    profile.stretched_length += l * stretch;
+    profile.strain[2 * i + 1] = stretch / cable.element(i).natural_stretch - 1.0;
+    profile.max_element_rotation =
+        std::max(profile.max_element_rotation, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
     if (i == 0)
-      field.ends.vessel = -force.segment<3>(0);
+      profile.ends.vessel = -force.segment<3>(0);
     if (i == N - 1)
-      field.ends.vehicle = -force.segment<3>(6);
+      profile.ends.vehicle = -force.segment<3>(6);
   }
-  field.vessel_direction = direction(state.q.front());
-  field.vehicle_direction = direction(state.q.back());
-  field.s[2 * N] = model.length();
-  field.position[2 * N] = state.q[N].head<3>();
-  interpolateStrain(field.strain);
+  profile.vessel_direction = direction(state.q.front());
+  profile.vehicle_direction = direction(state.q.back());
+  profile.s[2 * N] = cable.length();
+  profile.position[2 * N] = state.q[N].head<3>();
+  interpolateStrain(profile.strain);
 }
 
 }  // namespace tether_monitor::core

@@ -5,8 +5,8 @@
 
 namespace tether_monitor::core
 {
-CableState::CableState(double t, const NodeField& shape, const Vector3& V)
-  : time(t), q(shape), v(shape.size(), NodeCoords::Zero()), a(v), algorithmic_acceleration(v)
+CableState::CableState(double t, const NodeField& shape, const Vector3& V, const Deployment& deployed)
+  : time(t), deployment(deployed), q(shape), v(shape.size(), NodeCoords::Zero()), a(v), algorithmic_acceleration(v)
 {
   for (NodeCoords& rate : v)
     rate.head<3>() = V;

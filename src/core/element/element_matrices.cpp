@@ -2,29 +2,27 @@
 
 namespace tether_monitor::core
 {
-ShapeMatrix bendingMatrix(double L)
+namespace
+{
+// From slopes times the length to slopes: rows and columns 1 and 3 get a factor L.
+ShapeMatrix scaled(const double (&unit)[4][4], double factor, double L)
 {
   ShapeMatrix m;
-  m << 12.0, 6.0 * L, -12.0, 6.0 * L,               //
-      6.0 * L, 4.0 * L * L, -6.0 * L, 2.0 * L * L,  //
-      -12.0, -6.0 * L, 12.0, -6.0 * L,              //
-      6.0 * L, 2.0 * L * L, -6.0 * L, 4.0 * L * L;
-  return m / (L * L * L);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      m(i, j) = factor * (i % 2 == 1 ? L : 1.0) * (j % 2 == 1 ? L : 1.0) * unit[i][j];
+  return m;
 }
+}  // namespace
 
-}  // namespace tether_monitor::core
-#include "tether_monitor/core/element/element_matrices.h"
-
-namespace tether_monitor::core
-{
 ShapeMatrix massMatrix(double L)
 {
-  ShapeMatrix m;
-  m << 156.0, 22.0 * L, 54.0, -13.0 * L,              //
-      22.0 * L, 4.0 * L * L, 13.0 * L, -3.0 * L * L,  //
-      54.0, 13.0 * L, 156.0, -22.0 * L,               //
-      -13.0 * L, -3.0 * L * L, -22.0 * L, 4.0 * L * L;
-  return m * (L / 420.0);
+  return scaled(UNIT_MASS, L / UNIT_MASS_DIVISOR, L);
+}
+
+ShapeMatrix bendingMatrix(double L)
+{
+  return scaled(UNIT_BENDING, 1.0 / (L * L * L), L);
 }
 
 }  // namespace tether_monitor::core

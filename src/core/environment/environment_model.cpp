@@ -1,5 +1,7 @@
 #include "tether_monitor/core/environment/environment_model.h"
 
+#include <utility>
+
 #include "tether_monitor/core/base/bounds_check.h"
 
 namespace tether_monitor::core
@@ -12,34 +14,67 @@ const Environment& checked(const Environment& environment)
   return environment;
 }
 
-AiryWave waveOf(const Environment& environment)
+AiryWave waveOf(const Environment& environment, double time_origin)
 {
   if (environment.waves.amplitude == 0.0)
     return AiryWave();
-  return AiryWave(environment.waves, environment.gravity,
-                  environment.seabed ? environment.seabed->meanDepth() : AiryWave::DEEP);
+  AiryWave wave(environment.waves, environment.gravity,
+                environment.seabed ? environment.seabed->meanDepth() : AiryWave::DEEP);
+  wave.setTimeOrigin(time_origin);
+  return wave;
 }
 }  // namespace
 
 EnvironmentModel::EnvironmentModel(const Environment& environment)
-  : environment_(checked(environment)), wave_(waveOf(environment)), has_wind_(environment.wind.norm() > 0.0)
+  : environment_(checked(environment)), wave_(waveOf(environment, 0.0)), has_wind_(environment.wind.norm() > 0.0)
 {
 }
 
-void EnvironmentModel::setDepth(double depth)
+EnvironmentModel EnvironmentModel::withOrigin(const Vector3& origin) const
 {
-  environment_.seabed->depth = depth;
-  environment_.seabed->grid.reset();
-  environment_.seabed->slope.setZero();
+  EnvironmentModel changed = *this;
+  changed.origin_ = origin;
+  return changed;
+}
+
+EnvironmentModel EnvironmentModel::withTimeOrigin(double epoch) const
+{
+  EnvironmentModel changed = *this;
+  changed.time_origin_ = epoch;
+  changed.wave_ = waveOf(environment_, epoch);
+  return changed;
+}
+
+EnvironmentModel EnvironmentModel::withoutWaves() const
+{
+  EnvironmentModel changed = *this;
+  changed.wave_ = AiryWave();
+  return changed;
+}
+
+EnvironmentModel EnvironmentModel::withCurrent(const CurrentProfile& current) const
+{
+  EnvironmentModel changed = *this;
+  changed.environment_.current = current;
+  return changed;
+}
+
+EnvironmentModel EnvironmentModel::withObstacles(std::vector<Obstacle> obstacles) const
+{
+  EnvironmentModel changed = *this;
+  changed.environment_.obstacles = std::move(obstacles);
+  return changed;
+}
+
+EnvironmentModel EnvironmentModel::withDepth(double depth) const
+{
+  EnvironmentModel changed = *this;
+  changed.environment_.seabed->depth = depth;
+  changed.environment_.seabed->grid.reset();
+  changed.environment_.seabed->slope.setZero();
   if (!wave_.isCalm())
-    setEpoch(epoch_);
-}
-
-void EnvironmentModel::setEpoch(double epoch)
-{
-  epoch_ = epoch;
-  wave_ = waveOf(environment_);
-  wave_.setTimeOrigin(epoch);
+    changed.wave_ = waveOf(changed.environment_, time_origin_);
+  return changed;
 }
 
 void EnvironmentModel::addWave(const Vector3& point, double t, WaterKinematics& water) const

@@ -2,7 +2,7 @@
 
 #include "simd.h"
 
-#include "tether_monitor/core/kernel/kernel.h"
+#include "tether_monitor/core/kernel/block_solve_kernel.h"
 
 // Elimination of a block-tridiagonal system from both ends at once: two chains that do not wait for each other.
 // Within a node Gauss-Jordan by columns, so that every update is a vector of rows.

@@ -29,9 +29,9 @@ constexpr Kernel makeKernel(const char* name)
 {
   return {name,
           W,
-          allElements<W, Task::RESIDUALS>,
-          allElements<W, Task::SYMMETRIC>,
-          allElements<W, Task::COMPLETE>,
+          elementsKernel<W, EvaluationMode::RESIDUALS>,
+          elementsKernel<W, EvaluationMode::SYMMETRIC>,
+          elementsKernel<W, EvaluationMode::COMPLETE>,
           solveBlocks<W>,
           multiplyAdds<W>};
 }

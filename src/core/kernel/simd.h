@@ -3,12 +3,12 @@
 // Vectors of W doubles, one broadcastLane for each of W elements, or W rows of a column. Everything here is a
 // template on W and lives in one instruction set's translation unit: see kernel.h.
 
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
+#include "tether_monitor/core/base/lane_math.h"
 
 namespace tether_monitor::core::kernel
 {
+using lanes::any;
+using lanes::dot;
 template <int W>
 struct Simd
 {
@@ -23,7 +23,7 @@ struct Simd
 #else
 #define TM_SHUFFLE(W, a, b, ...) __builtin_shuffle(a, b, typename Simd<W>::Mask{__VA_ARGS__})
 #endif
-#define TM_INLINE inline __attribute__((always_inline))
+#define TM_INLINE TETHER_MONITOR_INLINE
 
 template <int W>
 TM_INLINE typename Simd<W>::Vector load(const double* p)
@@ -40,50 +40,7 @@ TM_INLINE void store(double* p, typename Simd<W>::Vector x)
 template <int W>
 TM_INLINE typename Simd<W>::Vector broadcast(double x)
 {
-  return x - typename Simd<W>::Vector{};
-}
-
-template <class V>
-TM_INLINE V max(V a, V b)
-{
-  return a > b ? a : b;
-}
-
-template <class V>
-TM_INLINE V min(V a, V b)
-{
-  return a < b ? a : b;
-}
-
-template <class V>
-TM_INLINE V abs(V a)
-{
-  return a < 0.0 ? -a : a;
-}
-
-template <int W>
-TM_INLINE typename Simd<W>::Vector sqrt(typename Simd<W>::Vector x)
-{
-#ifdef __AVX512F__
-  if constexpr (W == 8)
-    return reinterpret_cast<typename Simd<W>::Vector>(_mm512_maskz_sqrt_pd(0xff, reinterpret_cast<__m512d>(x)));
-#endif
-#ifdef __AVX__
-  if constexpr (W == 4)
-    return reinterpret_cast<typename Simd<W>::Vector>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
-#endif
-  for (int i = 0; i < W; ++i)
-    x[i] = __builtin_sqrt(x[i]);
-  return x;
-}
-
-template <int W>
-TM_INLINE bool any(typename Simd<W>::Mask m)
-{
-  long long sum = 0;
-  for (int i = 0; i < W; ++i)
-    sum |= m[i];
-  return sum != 0;
+  return lanes::broadcast<typename Simd<W>::Vector>(x);
 }
 
 // W rows of W numbers become W columns.

@@ -43,9 +43,9 @@ void BlockTridiagonal::imposeRow(int node, int row)
     upper(node).row(row).setZero();
 }
 
-bool BlockTridiagonal::solve(const kernel::Kernel& kernel, NodeField& b)
+bool BlockTridiagonal::solve(kernel::BlockSolveKernel kernel, NodeField& b)
 {
-  return kernel.solve(
+  return kernel(
       {nodes(), diagonal_.front().x, upper_.front().x, lower_.front().x, b.front().data(), scratch_.front().x});
 }
 

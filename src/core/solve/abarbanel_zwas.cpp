@@ -5,10 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tether_monitor/core/assembly/prescribed_ends.h"
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/core/base/so3.h"
-#include "tether_monitor/core/contact/contact_law.h"
 
 namespace tether_monitor::core
 {
@@ -22,6 +20,7 @@ const TangentWeights MASS_ONLY{1.0, 0.0, 0.0};
 
 AbarbanelZwas::AbarbanelZwas(const CableModel& model, int corrections)
   : corrections_(corrections),
+    cable_(model),
     residual_(model.nodes(), NodeCoords::Zero()),
     mass_(model.nodes()),
     blocks_(model.nodes())
@@ -30,34 +29,36 @@ AbarbanelZwas::AbarbanelZwas(const CableModel& model, int corrections)
   check.within("corrections", corrections, 0, 100, "[-]");
   throwIfInvalid("AbarbanelZwas", check.problems());
   trial_ = CableState(0.0, residual_, Vector3::Zero());
+  trial_.deployment.drag_factor.reserve(model.elements());
   prepareObstacles(model);
 }
 
 void AbarbanelZwas::prepareObstacles(const CableModel& model)
 {
-  bordered_ = borderedSystemFor(model, movable_obstacles_);
-  initializeContact(model, trial_);
+  bordered_ = borderedSystemFor(model.environment().obstacles(), model.nodes(), movable_obstacles_);
+  cable_.update(model, trial_.deployment);
+  cable_.initializeContact(trial_);
 }
 
-double AbarbanelZwas::stableStep(const CableModel& model)
+double AbarbanelZwas::stableStep(const DeployedCable& cable)
 {
-  const PrescribedEnds held = prescribedEnds(model);
+  const PrescribedEnds held = prescribedEnds(cable.bodies());
   const double limit = held.vessel && held.vehicle ? HELD_LIMIT : FREE_LIMIT;
   double touch = 0.0, brake = 0.0;  // stiffest surface [N/m^3] and its damper [N s/m^3]
-  if (model.sea().hasSeabed())
+  if (const std::optional<Seabed>& seabed = cable.environment().seabed())
   {
-    touch = model.environment().seabed->normal_stiffness;
-    brake = model.environment().seabed->damping;
+    touch = seabed->normal_stiffness;
+    brake = seabed->damping;
   }
-  for (const Obstacle& obstacle : model.environment().obstacles)
+  for (const Obstacle& obstacle : cable.environment().obstacles())
   {
     touch = std::max(touch, obstacle.stiffness);
     brake = std::max(brake, OBSTACLE_DAMPING * obstacle.stiffness);
   }
   double smallest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
   {
-    const ElementParameters& e = model.element(i);
+    const ElementParameters& e = cable.element(i);
     const double l2 = e.length * e.length;
     const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
     const double axial = stretch * AXIAL_SHARE * e.axial.stiffness / (e.mass * l2);
@@ -71,57 +72,38 @@ double AbarbanelZwas::stableStep(const CableModel& model)
   return smallest;
 }
 
-void AbarbanelZwas::assemble(const CableModel& model, const BoundaryConditions& ends, bool first)
+double AbarbanelZwas::stableStep(const CableModel& model, const CableState& state)
 {
-  if (first || !movable_obstacles_.empty())
-  {
-    if (!movable_obstacles_.empty())
-      bordered_.setZero();
-    model.assemble(trial_, MASS_ONLY, residual_, mass_, TangentKind::SYMMETRIC,
-                   movable_obstacles_.empty() ? nullptr : &bordered_);
-  }
-  else
-  {
-    model.assemble(trial_, residual_);
-  }
-  const auto couple = [&](const RigidBody& body, std::size_t node, const AttitudeState& rotation,
-                          const Wrench& thrust, CondensedBody& coupling)
-  {
-    const AttachmentMotion at = attachmentMotion(trial_, node);
-    coupling.assemble(body, model.sea(), trial_.time, at, rotation, thrust, MASS_ONLY, residual_[node],
-                      mass_.diagonal(static_cast<int>(node)));
-    coupling.condense(residual_[node]);
-  };
-  if (model.bodies().vessel)
-    couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
-  if (model.bodies().vehicle)
-  {
-    RigidBody body = *model.bodies().vehicle;
-    body.force += ends.vehicle_force;
-    couple(body, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
-  }
+  cable_.update(model, state.deployment);
+  return stableStep(cable_);
+}
 
-  const PrescribedEnds held = prescribedEnds(model);
+void AbarbanelZwas::assemble(const BoundaryConditions& ends, bool first)
+{
+  const bool has_movable = !movable_obstacles_.empty();
+  if (has_movable)
+    bordered_.setZero();
+  if (first || has_movable)
+    cable_.assemble(trial_, MASS_ONLY, residual_, mass_, TangentKind::SYMMETRIC,
+                    has_movable ? &bordered_ : nullptr);
+  else
+    cable_.assemble(trial_, residual_);
+  bodies_.assemble(cable_, trial_, ends, MASS_ONLY, residual_, mass_);
+  bodies_.condense(cable_.bodies(), residual_);
+
+  const PrescribedEnds held = prescribedEnds(cable_.bodies());
   if (held.vessel)
     residual_.front().head<3>().setZero();
   if (held.vehicle)
     residual_.back().head<3>().setZero();
   if (!first)
     return;
-
-  for (int row = 0; row < 3; ++row)
-  {
-    if (held.vessel)
-      mass_.imposeRow(0, row);
-    if (held.vehicle)
-      mass_.imposeRow(model.elements(), row);
-  }
-  for (int i = 0; i < model.nodes(); ++i)
+  imposePrescribedEnds(held, mass_);
+  for (int i = 0; i < cable_.nodes(); ++i)
     blocks_[i].compute(mass_.diagonal(i));
 }
 
-void AbarbanelZwas::place(const CableModel& model, const BoundaryConditions& ends, double h,
-                          const CableState& state)
+void AbarbanelZwas::place(const BoundaryConditions& ends, double h, const CableState& state)
 {
   for (std::size_t i = 0; i < state.q.size(); ++i)
   {
@@ -130,7 +112,7 @@ void AbarbanelZwas::place(const CableModel& model, const BoundaryConditions& end
     trial_.q[i] = 2.0 * state.q[i] - before + h * h * trial_.a[i];
     trial_.v[i] = (trial_.q[i] - state.q[i]) / h + 0.5 * h * trial_.a[i];
   }
-  placePrescribedEnds(model, ends, trial_);
+  placePrescribedEnds(cable_.bodies(), ends, trial_);
   const auto rotate = [&](const AttitudeState& from, AttitudeState& to)
   {
     to.velocity = from.velocity + h * to.acceleration;
@@ -146,15 +128,14 @@ void AbarbanelZwas::place(const CableModel& model, const BoundaryConditions& end
   }
 }
 
-SolveReport AbarbanelZwas::step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state)
+// The old layer with no accelerations.
+void AbarbanelZwas::beginLayer(double h, const CableState& state)
 {
-  SolveReport report;
-  if (state.obstacles.size() != model.environment().obstacles.size())
-    initializeContact(model, state);
   trial_.contact = state.contact;
   trial_.contact.step = h;
   trial_.time = state.time;
   trial_.step = h;
+  trial_.deployment = state.deployment;
   trial_.q = state.q;
   trial_.v = state.v;
   trial_.vessel = state.vessel;
@@ -166,26 +147,49 @@ SolveReport AbarbanelZwas::step(CableModel& model, const BoundaryConditions& end
   trial_.vehicle.acceleration.setZero();
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.acceleration.setZero();
+}
 
+void AbarbanelZwas::accept(CableState& state)
+{
+  trial_.algorithmic_acceleration = trial_.a;
+  trial_.vessel.orientation.normalize();
+  trial_.vehicle.orientation.normalize();
+  trial_.vessel.algorithmic_acceleration = trial_.vessel.acceleration;
+  trial_.vehicle.algorithmic_acceleration = trial_.vehicle.acceleration;
+  for (ObstacleMotion& obstacle : trial_.obstacles)
+    obstacle.algorithmic_acceleration = obstacle.acceleration;
+  cable_.commitFriction(trial_);
+  std::swap(state, trial_);
+}
+
+SolveReport AbarbanelZwas::step(const CableModel& model, const BoundaryConditions& ends, double h,
+                                CableState& state)
+{
+  SolveReport report;
+  cable_.update(model, state.deployment);
+  if (state.obstacles.size() != model.environment().obstacles().size())
+    cable_.initializeContact(state);
+  beginLayer(h, state);
   for (int k = 0; k <= corrections_; ++k)
   {
     // First the forces of the old layer and no neighbours (45), then those of the new layer (47).
-    assemble(model, ends, k == 0);
+    assemble(ends, k == 0);
     for (std::size_t i = 0; i < trial_.a.size(); ++i)
       trial_.a[i] -= residual_[i] = blocks_[i].solve(residual_[i]).eval();
-    if (model.bodies().vessel)
-      trial_.vessel.acceleration -= vessel_.solve(residual_.front());
-    if (model.bodies().vehicle)
-      trial_.vehicle.acceleration -= vehicle_.solve(residual_.back());
+    if (cable_.bodies().vessel)
+      trial_.vessel.acceleration -= bodies_.solveVessel(residual_);
+    if (cable_.bodies().vehicle)
+      trial_.vehicle.acceleration -= bodies_.solveVehicle(residual_);
     for (const int p : movable_obstacles_)
-      trial_.obstacles[p].acceleration = -bordered_.residual(p) / model.environment().obstacles[p].mass;
+      trial_.obstacles[p].acceleration = -bordered_.residual(p) / cable_.environment().obstacles()[p].mass;
     if (k == 0)
     {
       trial_.time = state.time + h;
       if (ends.payout)
-        model.setPayout(ends.payout->at(trial_.time));
+        trial_.deployment.payout = ends.payout->at(trial_.time);
+      cable_.update(model, trial_.deployment);
     }
-    place(model, ends, h, state);
+    place(ends, h, state);
     ++report.iterations;
   }
   if (!trial_.allFinite())
@@ -194,15 +198,7 @@ SolveReport AbarbanelZwas::step(CableModel& model, const BoundaryConditions& end
     return report;
   }
   report.steps = 1;
-  trial_.algorithmic_acceleration = trial_.a;
-  trial_.vessel.orientation.normalize();
-  trial_.vehicle.orientation.normalize();
-  trial_.vessel.algorithmic_acceleration = trial_.vessel.acceleration;
-  trial_.vehicle.algorithmic_acceleration = trial_.vehicle.acceleration;
-  for (ObstacleMotion& obstacle : trial_.obstacles)
-    obstacle.algorithmic_acceleration = obstacle.acceleration;
-  commitFriction(model, trial_);
-  std::swap(state, trial_);
+  accept(state);
   return report;
 }
 

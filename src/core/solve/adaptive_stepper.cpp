@@ -31,34 +31,45 @@ std::vector<std::string> validate(const StepperOptions& options)
   return check.problems();
 }
 
-AdaptiveStepper::AdaptiveStepper(const CableModel& model, const StepperOptions& options)
-  : options_(checked(options)), integrator_(model, options.spectral_radius, options.newton)
+AdaptiveStepper::TimeIntegrator AdaptiveStepper::makeIntegrator(const CableModel& model,
+                                                                const StepperOptions& options)
 {
   if (options.scheme == Scheme::ABARBANEL_ZWAS)
-    explicit_.emplace(model, options.corrections);
+    return AbarbanelZwas(model, options.corrections);
+  return GeneralizedAlpha(model, options.spectral_radius, options.newton);
+}
+
+AdaptiveStepper::AdaptiveStepper(const CableModel& model, const StepperOptions& options)
+  : options_(checked(options)), integrator_(makeIntegrator(model, options))
+{
 }
 
 void AdaptiveStepper::prepareObstacles(const CableModel& model)
 {
-  integrator_.prepareObstacles(model);
-  if (explicit_)
-    explicit_->prepareObstacles(model);
+  std::visit([&](auto& integrator) { integrator.prepareObstacles(model); }, integrator_);
 }
 
-SolveReport AdaptiveStepper::step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state)
+SolveReport AdaptiveStepper::step(const CableModel& model, const BoundaryConditions& ends, double h,
+                                  CableState& state)
 {
-  return explicit_ ? explicit_->step(model, ends, h, state) : integrator_.step(model, ends, h, state);
+  return std::visit([&](auto& integrator) { return integrator.step(model, ends, h, state); }, integrator_);
 }
 
-SolveReport AdaptiveStepper::advance(CableModel& model, const BoundaryConditions& ends, double t_end,
+double AdaptiveStepper::largestStep(const CableModel& model, const CableState& state)
+{
+  if (auto* explicit_scheme = std::get_if<AbarbanelZwas>(&integrator_))
+    return std::min(options_.step, options_.courant * explicit_scheme->stableStep(model, state));
+  return options_.step;
+}
+
+SolveReport AdaptiveStepper::advance(const CableModel& model, const BoundaryConditions& ends, double t_end,
                                      CableState& state)
 {
   SolveReport total;
   const double duration = t_end - state.time;
   if (!(duration > 0.0))
     return total;
-  const double limit =
-      explicit_ ? std::min(options_.step, options_.courant * AbarbanelZwas::stableStep(model)) : options_.step;
+  const double limit = largestStep(model, state);
   const double full_steps = std::ceil(duration / limit - 1e-9);
   const double largest = duration / full_steps;
   const double smallest = std::ldexp(limit, -options_.max_halvings);
@@ -84,7 +95,7 @@ SolveReport AdaptiveStepper::advance(CableModel& model, const BoundaryConditions
       ++total.steps;
       if (pieces <= 1.0)
         state.time = t_end;
-      h = explicit_ || report.iterations <= EASY_ITERATIONS ? std::min(2.0 * try_h, largest) : try_h;
+      h = isExplicit() || report.iterations <= EASY_ITERATIONS ? std::min(2.0 * try_h, largest) : try_h;
       state.step = h;
     }
     else

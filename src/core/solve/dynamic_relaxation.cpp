@@ -2,23 +2,20 @@
 
 #include <algorithm>
 
-#include "tether_monitor/core/assembly/contact_assembly.h"
+#include "tether_monitor/core/assembly/contact_summary.h"
 #include "tether_monitor/core/solve/adaptive_stepper.h"
+#include "tether_monitor/core/solve/starting_shape.h"
 
 namespace tether_monitor::core
 {
 namespace
 {
-// The world holds its breath: no waves, and obstacles that nobody pushes.
 CableModel withoutWavesAndFreeObstacles(const CableModel& model)
 {
-  CableModel held = model;
-  held.sea().withoutWaves();
-  std::vector<Obstacle> obstacles = model.environment().obstacles;
+  std::vector<Obstacle> obstacles = model.environment().obstacles();
   for (Obstacle& obstacle : obstacles)
     obstacle.mass = 0.0;
-  held.sea().setObstacles(obstacles);
-  return held;
+  return model.withEnvironment(model.environment().withoutWaves().withObstacles(obstacles));
 }
 
 double fastestAgainst(const CableState& state, const Vector3& velocity)
@@ -28,6 +25,16 @@ double fastestAgainst(const CableState& state, const Vector3& velocity)
     fastest = std::max(fastest, (v.head<3>() - velocity).norm());
   return fastest;
 }
+
+bool touchesAnything(const CableModel& model, const CableState& state)
+{
+  ContactSummary contact;
+  contact.obstacles.resize(state.obstacles.size());
+  summarizeContact(DeployedCable(model, state.deployment), state, contact);
+  return contact.seabed_length > 0.0 ||
+         std::any_of(contact.obstacles.begin(), contact.obstacles.end(),
+                     [](const ContactSummary::ObstacleContact& touch) { return touch.total > 0.0; });
+}
 }  // namespace
 
 SolveReport relaxFriction(const CableModel& model, CableState& state)
@@ -35,16 +42,10 @@ SolveReport relaxFriction(const CableModel& model, CableState& state)
   constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
   constexpr double STILL = 2e-3;                   // [m/s]
   SolveReport total;
-  ContactSummary contact;
-  contact.obstacles.resize(state.obstacles.size());
-  summarizeContact(model, state, contact);
-  const bool touches = contact.seabed_length > 0.0 ||
-                       std::any_of(contact.obstacles.begin(), contact.obstacles.end(),
-                                   [](const ContactSummary::ObstacleContact& touch) { return touch.total > 0.0; });
-  if (!touches || state.v.front().head<3>().norm() > STANDSTILL)
+  if (!touchesAnything(model, state) || state.v.front().head<3>().norm() > STANDSTILL)
     return total;
 
-  CableModel held = withoutWavesAndFreeObstacles(model);
+  const CableModel held = withoutWavesAndFreeObstacles(model);
   const CableState start = state;
   for (ObstacleMotion& obstacle : state.obstacles)
     obstacle.velocity.setZero();
@@ -72,8 +73,8 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
 {
   constexpr double QUICK = 50.0, LONGEST = 1000.0;  // [s]: small steps at first, large ones later
   constexpr double STILL = 0.02, SLOW = 0.1;        // [m/s]
-  CableModel calm = withoutWavesAndFreeObstacles(model);
-  CableState state(0.0, start, ends.velocity);
+  const CableModel calm = withoutWavesAndFreeObstacles(model);
+  CableState state(0.0, start, ends.velocity, ends.deployment);
   state.q.front().head<3>() = ends.vessel;
   if (!model.bodies().vehicle)
     state.q.back().head<3>() = ends.vehicle;
@@ -84,14 +85,14 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
   AdaptiveStepper stepper(calm, options);
   options.step = 1.0;
   AdaptiveStepper later(calm, options);
-  BoundaryConditions paths;
-  paths.vessel = EndTrajectory::uniform(0.0, {ends.vessel, ends.velocity});
-  paths.vehicle = EndTrajectory::uniform(0.0, {ends.vehicle, ends.velocity});
+  BoundaryConditions moving;
+  moving.vessel = EndTrajectory::uniform(0.0, {ends.vessel, ends.velocity});
+  moving.vehicle = EndTrajectory::uniform(0.0, {ends.vehicle, ends.velocity});
   SolveReport total;
   double stretch = 5.0;
   for (double t = stretch; t <= LONGEST; t += stretch)
   {
-    const SolveReport report = (t <= QUICK ? stepper : later).advance(calm, paths, t, state);
+    const SolveReport report = (t <= QUICK ? stepper : later).advance(calm, moving, t, state);
     total.addCost(report);
     total.status = report.status;
     if (!report.converged())
@@ -110,15 +111,16 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
   return total;
 }
 
-SolveReport findSteadyState(SteadyStateSolver& statics, const CableModel& model, const SteadyEnds& ends,
+SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, const SteadyEnds& ends,
                             NodeField& shape)
 {
-  SolveReport total = statics.solve(model, ends, shape);
+  SolveReport total = solver.solve(model, ends, shape);
   // As the paper does it: let it move until it is steady. First from where the search ended, then from the curve.
   for (int attempt = 0; attempt < 2 && !total.converged(); ++attempt)
   {
     const bool from_search = attempt == 0 && total.status != SolveStatus::FOLDED_EQUILIBRIUM;
-    const NodeField start = from_search ? statics.lastShape() : startingShape(model, ends);
+    const NodeField start =
+        from_search ? solver.lastShape() : startingShape(DeployedCable(model, ends.deployment), ends);
     NodeField moved;
     SolveReport report = relaxDynamically(model, ends, start, moved);
     report.addCost(total);
@@ -126,7 +128,7 @@ SolveReport findSteadyState(SteadyStateSolver& statics, const CableModel& model,
     if (!report.converged())
       continue;
     shape = moved;
-    report = statics.solveFrom(model, ends, moved);
+    report = solver.solveFrom(model, ends, moved);
     total.addCost(report);
     if (report.converged())
       shape = moved;

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/core/base/so3.h"
@@ -12,14 +11,13 @@ namespace tether_monitor::core
 {
 namespace
 {
-constexpr double SLOW_CONVERGENCE_RATIO =
-    0.02;  // a residual that falls by less in an iteration wants the complete tangent
-constexpr int EXTRAPOLATION_MAX_ITERATIONS =
-    2;  // Newton iterations of a step after which the motion is taken to be smooth
+constexpr double SLOW_CONVERGENCE_RATIO = 0.02;  // a residual that falls by less wants the complete tangent
+constexpr int EXTRAPOLATION_MAX_ITERATIONS = 2;  // of a step after which the motion is taken to be smooth
+constexpr double LEAST_LAG = 0.05;               // of the algorithmic acceleration, to extrapolate with
 }  // namespace
 
 GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radius, const NewtonOptions& options)
-  : options_(options), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())
+  : options_(options), cable_(model), residual_(model.nodes(), NodeCoords::Zero()), tangent_(model.nodes())
 {
   BoundsCheck check;
   check.within("spectral_radius", spectral_radius, 0.0, 1.0, "[-]");
@@ -30,52 +28,39 @@ GeneralizedAlpha::GeneralizedAlpha(const CableModel& model, double spectral_radi
   gamma_ = 0.5 - alpha_m_ + alpha_f_;
   beta_ = 0.25 * (1.0 + alpha_f_ - alpha_m_) * (1.0 + alpha_f_ - alpha_m_);
   trial_ = CableState(0.0, residual_, Vector3::Zero());
+  trial_.deployment.drag_factor.reserve(model.elements());
   prepareObstacles(model);
 }
 
 void GeneralizedAlpha::prepareObstacles(const CableModel& model)
 {
-  bordered_ = borderedSystemFor(model, movable_obstacles_);
-  initializeContact(model, trial_);
+  bordered_ = borderedSystemFor(model.environment().obstacles(), model.nodes(), movable_obstacles_);
+  cable_.update(model, trial_.deployment);
+  cable_.initializeContact(trial_);
 }
 
-void GeneralizedAlpha::predict(const CableModel& model, const BoundaryConditions& ends, double h,
-                               const CableState& state)
+template <typename Value>
+void GeneralizedAlpha::predictAcceleration(const Value& a, const Value& from_algorithmic, double growth,
+                                           Value& to_a, Value& to_algorithmic) const
 {
-  // After an easy step the acceleration goes on as it did: aux lags behind it by a known part of a step, (M12).
-  // Else it stays.
-  const double lag = alpha_f_ - alpha_m_;
-  const double more = state.last_iterations <= EXTRAPOLATION_MAX_ITERATIONS && lag > 0.05 ? 1.0 / lag : 0.0;
-  trial_.time = state.time + h;
-  trial_.step = h;
-  const auto next = [&](const auto& a, const auto& b) { return (a + more * (a - b)).eval(); };
-  const auto aux = [&](const auto& a, const auto& from_a, const auto& b)
-  { return (((1.0 - alpha_f_) * a + alpha_f_ * from_a - alpha_m_ * b) / (1.0 - alpha_m_)).eval(); };
-  for (std::size_t i = 0; i < state.q.size(); ++i)
-  {
-    trial_.a[i] = next(state.a[i], state.algorithmic_acceleration[i]);
-    trial_.algorithmic_acceleration[i] = aux(trial_.a[i], state.a[i], state.algorithmic_acceleration[i]);
-    trial_.v[i] = state.v[i] + h * ((1.0 - gamma_) * state.algorithmic_acceleration[i] +
-                                    gamma_ * trial_.algorithmic_acceleration[i]);
-    trial_.q[i] =
-        state.q[i] + h * state.v[i] +
-        h * h * ((0.5 - beta_) * state.algorithmic_acceleration[i] + beta_ * trial_.algorithmic_acceleration[i]);
-  }
-  const auto rotate = [&](const AttitudeState& from, AttitudeState& to, RotationIncrement& increment)
-  {
-    to.acceleration = next(from.acceleration, from.algorithmic_acceleration);
-    to.algorithmic_acceleration = aux(to.acceleration, from.acceleration, from.algorithmic_acceleration);
-    to.velocity = from.velocity +
-                  h * ((1.0 - gamma_) * from.algorithmic_acceleration + gamma_ * to.algorithmic_acceleration);
-    increment.rotation_increment =
-        h * from.velocity +
-        h * h * ((0.5 - beta_) * from.algorithmic_acceleration + beta_ * to.algorithmic_acceleration);
-    to.orientation = from.orientation * expSO3(increment.rotation_increment);
-  };
-  if (model.bodies().vessel)
-    rotate(state.vessel, trial_.vessel, vessel_);
-  if (model.bodies().vehicle)
-    rotate(state.vehicle, trial_.vehicle, vehicle_);
+  to_a = a + growth * (a - from_algorithmic);
+  to_algorithmic = ((1.0 - alpha_f_) * to_a + alpha_f_ * a - alpha_m_ * from_algorithmic) / (1.0 - alpha_m_);
+}
+
+void GeneralizedAlpha::predictAttitude(const AttitudeState& from, double growth, double h, AttitudeState& to,
+                                       Vector3& rotation)
+{
+  predictAcceleration(from.acceleration, from.algorithmic_acceleration, growth, to.acceleration,
+                      to.algorithmic_acceleration);
+  to.velocity =
+      from.velocity + h * ((1.0 - gamma_) * from.algorithmic_acceleration + gamma_ * to.algorithmic_acceleration);
+  rotation = h * from.velocity +
+             h * h * ((0.5 - beta_) * from.algorithmic_acceleration + beta_ * to.algorithmic_acceleration);
+  to.orientation = from.orientation * expSO3(rotation);
+}
+
+void GeneralizedAlpha::predictObstacles(const CableState& state, double growth, double h)
+{
   trial_.obstacles = state.obstacles;
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.position += h * obstacle.velocity;
@@ -83,72 +68,79 @@ void GeneralizedAlpha::predict(const CableModel& model, const BoundaryConditions
   {
     const ObstacleMotion& from = state.obstacles[k];
     ObstacleMotion& to = trial_.obstacles[k];
-    to.acceleration = next(from.acceleration, from.algorithmic_acceleration);
-    to.algorithmic_acceleration = aux(to.acceleration, from.acceleration, from.algorithmic_acceleration);
+    predictAcceleration(from.acceleration, from.algorithmic_acceleration, growth, to.acceleration,
+                        to.algorithmic_acceleration);
     to.velocity = from.velocity +
                   h * ((1.0 - gamma_) * from.algorithmic_acceleration + gamma_ * to.algorithmic_acceleration);
     to.position = from.position + h * from.velocity +
                   h * h * ((0.5 - beta_) * from.algorithmic_acceleration + beta_ * to.algorithmic_acceleration);
   }
-  trial_.contact = state.contact;
-  trial_.contact.step = h;
-  placePrescribedEnds(model, ends, trial_);
 }
 
-ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const BoundaryConditions& ends,
-                                        const TangentWeights& weights, AssemblyMode wanted)
+void GeneralizedAlpha::predict(const CableModel& model, const BoundaryConditions& ends, double h,
+                               const CableState& state)
 {
-  BorderedSystem* border = movable_obstacles_.empty() ? nullptr : &bordered_;
-  if (border)
-    border->setZero();
-  kernel_ = &model.kernel();
-  if (wanted == AssemblyMode::RESIDUAL)
-    model.assemble(trial_, residual_);
-  else
-    model.assemble(trial_, weights, residual_, tangent_,
-                   wanted == AssemblyMode::COMPLETE ? TangentKind::COMPLETE : TangentKind::SYMMETRIC, border);
-
-  double reaction = 0.0, unbalanced = 0.0;
-  const auto couple = [&](const RigidBody& body, std::size_t node, const AttitudeState& rotation,
-                          const Wrench& thrust, RotationIncrement& increment)
+  // After an easy step the acceleration goes on as it did: the algorithmic one lags behind it by a known part of a
+  // step, (M12). Else it stays.
+  const double lag = alpha_f_ - alpha_m_;
+  const bool is_smooth = state.last_iterations <= EXTRAPOLATION_MAX_ITERATIONS && lag > LEAST_LAG;
+  const double growth = is_smooth ? 1.0 / lag : 0.0;
+  trial_.time = state.time + h;
+  trial_.step = h;
+  trial_.deployment = state.deployment;
+  if (ends.payout)
+    trial_.deployment.payout = ends.payout->at(trial_.time);
+  cable_.update(model, trial_.deployment);
+  for (std::size_t i = 0; i < state.q.size(); ++i)
   {
-    reaction = std::max({reaction, residual_[node].head<3>().norm(), 1e-3 * 9.81 * body.mass});
-
-    const double open =
-        increment.coupling.assemble(body, model.sea(), trial_.time, attachmentMotion(trial_, node), rotation,
-                                    thrust, weights, residual_[node], tangent_.diagonal(static_cast<int>(node)));
-    unbalanced = std::max(unbalanced, open);
-  };
-  if (model.bodies().vessel)
-    couple(*model.bodies().vessel, 0, trial_.vessel, ends.vessel_thrust, vessel_);
-  if (model.bodies().vehicle)
-  {
-    RigidBody body = *model.bodies().vehicle;
-    body.force += ends.vehicle_force;
-    couple(body, residual_.size() - 1, trial_.vehicle, ends.vehicle_thrust, vehicle_);
+    const NodeCoords& aux = state.algorithmic_acceleration[i];
+    NodeCoords& to_aux = trial_.algorithmic_acceleration[i];
+    predictAcceleration(state.a[i], aux, growth, trial_.a[i], to_aux);
+    trial_.v[i] = state.v[i] + h * ((1.0 - gamma_) * aux + gamma_ * to_aux);
+    trial_.q[i] = state.q[i] + h * state.v[i] + h * h * ((0.5 - beta_) * aux + beta_ * to_aux);
   }
+  if (model.bodies().vessel)
+    predictAttitude(state.vessel, growth, h, trial_.vessel, vessel_rotation_);
+  if (model.bodies().vehicle)
+    predictAttitude(state.vehicle, growth, h, trial_.vehicle, vehicle_rotation_);
+  predictObstacles(state, growth, h);
+  trial_.contact = state.contact;
+  trial_.contact.step = h;
+  placePrescribedEnds(model.bodies(), ends, trial_);
+}
+
+ResidualSize GeneralizedAlpha::assemble(const BoundaryConditions& ends, const TangentWeights& weights,
+                                        AssemblyMode mode)
+{
+  BorderedSystem* bordered = movable_obstacles_.empty() ? nullptr : &bordered_;
+  if (bordered)
+    bordered->setZero();
+  if (mode == AssemblyMode::RESIDUAL)
+    cable_.assemble(trial_, residual_);
+  else
+    cable_.assemble(trial_, weights, residual_, tangent_,
+                    mode == AssemblyMode::COMPLETE ? TangentKind::COMPLETE : TangentKind::SYMMETRIC, bordered);
+
+  CondensedEndBodies::Sizes sizes = bodies_.assemble(cable_, trial_, ends, weights, residual_, tangent_);
   for (const int k : movable_obstacles_)
   {
-    const double mass = model.environment().obstacles[k].mass;
+    const double mass = cable_.environment().obstacles()[k].mass;
     bordered_.residual(k) += mass * trial_.obstacles[k].acceleration;
     bordered_.diagonal(k) += weights.mass * mass * Matrix3::Identity();
-    unbalanced = std::max(unbalanced, bordered_.residual(k).norm());
+    sizes.unbalanced = std::max(sizes.unbalanced, bordered_.residual(k).norm());
   }
-  const PrescribedEnds held = prescribedEnds(model);
-  ResidualSize size = imposePrescribedEnds(model, trial_.q, options_, held, residual_, reaction);
-  if (unbalanced > size.largest || std::isnan(unbalanced))
-    size.largest = unbalanced;
-  if (model.bodies().vessel)
-    vessel_.coupling.condense(residual_.front());
-  if (model.bodies().vehicle)
-    vehicle_.coupling.condense(residual_.back());
+  const PrescribedEnds held = prescribedEnds(cable_.bodies());
+  ResidualSize size = imposePrescribedEnds(cable_, trial_.q, options_, held, residual_, sizes.reaction);
+  if (sizes.unbalanced > size.largest || std::isnan(sizes.unbalanced))
+    size.largest = sizes.unbalanced;
+  bodies_.condense(cable_.bodies(), residual_);
   imposePrescribedEnds(held, tangent_);
   for (const int k : movable_obstacles_)
   {
     if (held.vessel)
       bordered_.column(k, 0).topRows<3>().setZero();
     if (held.vehicle)
-      bordered_.column(k, model.elements()).topRows<3>().setZero();
+      bordered_.column(k, cable_.elements()).topRows<3>().setZero();
   }
   return size;
 }
@@ -156,12 +148,11 @@ ResidualSize GeneralizedAlpha::assemble(const CableModel& model, const BoundaryC
 bool GeneralizedAlpha::solve()
 {
   if (movable_obstacles_.empty())
-    return tangent_.solve(*kernel_, residual_);
+    return tangent_.solve(cable_.model().kernel().solve, residual_);
   return bordered_.solve(tangent_, residual_);
 }
 
-void GeneralizedAlpha::correct(const CableModel& model, const TangentWeights& weights, double scale,
-                               const CableState& state)
+void GeneralizedAlpha::correct(const TangentWeights& weights, double scale, const CableState& state)
 {
   for (std::size_t i = 0; i < residual_.size(); ++i)
   {
@@ -170,20 +161,18 @@ void GeneralizedAlpha::correct(const CableModel& model, const TangentWeights& we
     trial_.v[i] -= weights.damping * residual_[i];
     trial_.q[i] -= weights.stiffness * residual_[i];
   }
-  const auto rotate =
-      [&](const AttitudeState& from, AttitudeState& to, RotationIncrement& increment, const NodeCoords& node)
+  const auto rotate = [&](const AttitudeState& from, const Vector3& delta, AttitudeState& to, Vector3& rotation)
   {
-    const Vector3 delta = increment.coupling.solve(node);
     to.acceleration -= delta;
     to.algorithmic_acceleration -= scale * delta;
     to.velocity -= weights.damping * delta;
-    increment.rotation_increment -= weights.stiffness * delta;
-    to.orientation = from.orientation * expSO3(increment.rotation_increment);
+    rotation -= weights.stiffness * delta;
+    to.orientation = from.orientation * expSO3(rotation);
   };
-  if (model.bodies().vessel)
-    rotate(state.vessel, trial_.vessel, vessel_, residual_.front());
-  if (model.bodies().vehicle)
-    rotate(state.vehicle, trial_.vehicle, vehicle_, residual_.back());
+  if (cable_.bodies().vessel)
+    rotate(state.vessel, bodies_.solveVessel(residual_), trial_.vessel, vessel_rotation_);
+  if (cable_.bodies().vehicle)
+    rotate(state.vehicle, bodies_.solveVehicle(residual_), trial_.vehicle, vehicle_rotation_);
   for (const int k : movable_obstacles_)
   {
     ObstacleMotion& to = trial_.obstacles[k];
@@ -195,35 +184,43 @@ void GeneralizedAlpha::correct(const CableModel& model, const TangentWeights& we
   }
 }
 
-SolveReport GeneralizedAlpha::step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state)
+void GeneralizedAlpha::accept(int iterations, CableState& state)
+{
+  trial_.last_iterations = iterations;
+  trial_.vessel.orientation.normalize();
+  trial_.vehicle.orientation.normalize();
+  cable_.commitFriction(trial_);
+  std::swap(state, trial_);
+}
+
+SolveReport GeneralizedAlpha::step(const CableModel& model, const BoundaryConditions& ends, double h,
+                                   CableState& state)
 {
   const double scale = (1.0 - alpha_f_) / (1.0 - alpha_m_);
   const TangentWeights weights{1.0, gamma_ * h * scale, beta_ * h * h * scale};
-  if (ends.payout)
-    model.setPayout(ends.payout->at(state.time + h));
-  if (state.obstacles.size() != model.environment().obstacles.size())
-    initializeContact(model, state);
+  if (state.obstacles.size() != model.environment().obstacles().size())
+  {
+    cable_.update(model, state.deployment);
+    cable_.initializeContact(state);
+  }
   predict(model, ends, h, state);
 
   SolveReport report;
   report.status = SolveStatus::NOT_CONVERGED;
   double previous = 0.0;
-  AssemblyMode wanted = state.last_iterations == 0 && movable_obstacles_.empty() ? AssemblyMode::RESIDUAL
-                                                                                 : AssemblyMode::SYMMETRIC,
-               tangent = AssemblyMode::SYMMETRIC;
+  const bool has_movable = !movable_obstacles_.empty();
+  AssemblyMode mode =
+      state.last_iterations == 0 && !has_movable ? AssemblyMode::RESIDUAL : AssemblyMode::SYMMETRIC;
+  AssemblyMode tangent = AssemblyMode::SYMMETRIC;
   for (int k = 0;; ++k)
   {
-    ResidualSize size = assemble(model, ends, weights, wanted);
+    ResidualSize size = assemble(ends, weights, mode);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
       report.status = SolveStatus::CONVERGED;
       report.steps = 1;
-      trial_.last_iterations = report.iterations;
-      trial_.vessel.orientation.normalize();
-      trial_.vehicle.orientation.normalize();
-      commitFriction(model, trial_);
-      std::swap(state, trial_);
+      accept(report.iterations, state);
       return report;
     }
     const bool diverging = k >= 3 && size.largest > 2.0 * previous;
@@ -231,12 +228,11 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const BoundaryConditions& 
       return report;
     if (k >= 2 && size.largest > SLOW_CONVERGENCE_RATIO * previous)
       tangent = AssemblyMode::COMPLETE;
-    if (wanted == AssemblyMode::RESIDUAL)
-      size = assemble(model, ends, weights, tangent);
+    if (mode == AssemblyMode::RESIDUAL)
+      size = assemble(ends, weights, tangent);
     // What the next residual will be if it falls as before: the tangent is made only where it will be used.
     const double fall = k == 0 ? (state.last_iterations <= 1 ? 0.0 : 1.0) : size.largest / previous;
-    wanted =
-        fall * size.largest <= size.tolerance && movable_obstacles_.empty() ? AssemblyMode::RESIDUAL : tangent;
+    mode = fall * size.largest <= size.tolerance && !has_movable ? AssemblyMode::RESIDUAL : tangent;
     previous = size.largest;
     ++report.iterations;
     if (!std::isfinite(size.largest) || !solve())
@@ -244,35 +240,37 @@ SolveReport GeneralizedAlpha::step(CableModel& model, const BoundaryConditions& 
       report.status = SolveStatus::SINGULAR;
       return report;
     }
-    correct(model, weights, scale, state);
+    correct(weights, scale, state);
   }
 }
 
-SolveReport GeneralizedAlpha::initialiseAcceleration(CableModel& model, const BoundaryConditions& ends,
+SolveReport GeneralizedAlpha::initializeAcceleration(const CableModel& model, const BoundaryConditions& ends,
                                                      CableState& state)
 {
   SolveReport report;
-  if (ends.payout)
-    model.setPayout(ends.payout->at(state.time));
   trial_ = state;
+  if (ends.payout)
+    trial_.deployment.payout = ends.payout->at(state.time);
+  cable_.update(model, trial_.deployment);
   for (NodeCoords& a : trial_.a)
     a.setZero();
-  for (AttitudeState* rotation : {&trial_.vessel, &trial_.vehicle})
-    rotation->acceleration.setZero();
+  for (AttitudeState* attitude : {&trial_.vessel, &trial_.vehicle})
+    attitude->acceleration.setZero();
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.acceleration.setZero();
-  placePrescribedEnds(model, ends, trial_);
-  report.residual = assemble(model, ends, TangentWeights{1.0, 0.0, 0.0}, AssemblyMode::SYMMETRIC).largest;
+  placePrescribedEnds(model.bodies(), ends, trial_);
+  const TangentWeights mass_only{1.0, 0.0, 0.0};
+  report.residual = assemble(ends, mass_only, AssemblyMode::SYMMETRIC).largest;
   report.iterations = 1;
   if (!std::isfinite(report.residual) || !solve())
   {
     report.status = SolveStatus::SINGULAR;
     return report;
   }
-  correct(model, TangentWeights{1.0, 0.0, 0.0}, 0.0, state);
+  correct(mass_only, 0.0, state);
   trial_.algorithmic_acceleration = trial_.a;
-  for (AttitudeState* rotation : {&trial_.vessel, &trial_.vehicle})
-    rotation->algorithmic_acceleration = rotation->acceleration;
+  for (AttitudeState* attitude : {&trial_.vessel, &trial_.vehicle})
+    attitude->algorithmic_acceleration = attitude->acceleration;
   for (ObstacleMotion& obstacle : trial_.obstacles)
     obstacle.algorithmic_acceleration = obstacle.acceleration;
   std::swap(state, trial_);

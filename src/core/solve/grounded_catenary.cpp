@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tether_monitor/core/solve/initial_guess.h"
+#include "tether_monitor/core/solve/catenary.h"
 
 namespace tether_monitor::core
 {
@@ -61,37 +61,32 @@ struct Arc
   double length, half_angle;
 };
 
-// A surface that a tether comes to from one side: its height under or over a point, and where it lies on it.
-template <typename Level>
-NodeField catenaryOnLevel(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, double side,
-                          const Vector3& drift, const Level& levelAt)
+// A tether that comes from one side to a level on which a part of it lies.
+struct LyingTether
 {
-  const double L = model.length(), l = L / model.elements();
-  const auto heightOver = [&](const Vector3& p) { return std::max(side * (p.z() - levelAt(p)), 0.0); };
-  Leg first{heightOver(vessel), 1.0}, last{heightOver(vehicle), 1.0};
-  Vector3 way = vehicle - vessel;
-  way.z() = 0.0;
-  const double span = way.norm();
-  const Vector3 ahead = span > 1e-9 ? Vector3(way / span) : Vector3::UnitX();
-  const Vector3 aside = Vector3::UnitZ().cross(ahead);
-  if (span >= L)
-    return {};
+  Leg first, last;  // from each end to the level
+  double lying;     // length on the level
+  double chord;     // between the touchdown points; < 0: they overlap
+};
 
-  // Both legs have the same horizontal force: one parameter a, found from what the legs are longer than their
-  // spans.
+// Both legs have the same horizontal force: one parameter a, found from what the legs are longer than their spans.
+// Nothing if a tether of this length does not reach the level.
+std::optional<LyingTether> findLegs(double height_first, double height_last, double length, double span,
+                                    double least)
+{
+  LyingTether t{{height_first, 1.0}, {height_last, 1.0}, 0.0, 0.0};
   const auto slack = [&](double a)
   {
-    first.a = last.a = a;
-    return first.length() - first.span() + last.length() - last.span();
+    t.first.a = t.last.a = a;
+    return t.first.length() - t.first.span() + t.last.length() - t.last.span();
   };
-  const double least = LEAST_RADIUS * l;
-  double low = least, high = 1e3 * L;
-  if (slack(low) > L - span)
+  double low = least, high = 1e3 * length;
+  if (slack(low) > length - span)
   {
     for (int i = 0; i < 100; ++i)
     {
       const double a = std::sqrt(low * high);
-      (slack(a) > L - span ? low : high) = a;
+      (slack(a) > length - span ? low : high) = a;
     }
     slack(std::sqrt(low * high));
   }
@@ -99,55 +94,87 @@ NodeField catenaryOnLevel(const CableModel& model, const Vector3& vessel, const 
   {
     slack(least);
   }
-  const double lying = L - first.length() - last.length();
-  if (lying < 0.0)
-    return {};
-  const double chord = span - first.span() - last.span();
-  const Arc arc(lying, std::abs(chord));
-  const double direction = chord < 0.0 ? -1.0 : 1.0;
-  // In a flow it trails: a catenary in plan.
-  const bool trails = drift.norm() > 0.0;
-  const Vector3 foot = first.span() * ahead;
-  const Catenary trail(foot, foot + chord * ahead, std::max(lying, 1e-9), trails ? drift : aside, least);
+  t.lying = length - t.first.length() - t.last.length();
+  t.chord = span - t.first.span() - t.last.span();
+  return t.lying < 0.0 ? std::nullopt : std::optional<LyingTether>(t);
+}
 
-  NodeField shape(model.nodes());
-  for (int i = 0; i < model.nodes(); ++i)
+// A point of it: along and across the line between the ends, above the level; heading in plan, slope of the
+// tangent.
+struct PlanPoint
+{
+  double x = 0.0, y = 0.0, up = 0.0, heading = 0.0, slope = 0.0;
+};
+
+// Arc length s from the first end. What lies is an arc, or a catenary in plan where a flow carries it.
+PlanPoint pointAt(const LyingTether& t, const Arc& arc, const Catenary* trail, const Vector3& ahead,
+                  const Vector3& aside, double s)
+{
+  PlanPoint p;
+  if (s < t.first.length())
   {
-    const double s = model.arcLength(i);
-    double x, y = 0.0, up = 0.0, heading = 0.0, slope = 0.0;
-    if (s < first.length())
-    {
-      const double from_floor = first.length() - s;
-      x = first.span() - first.along(from_floor);
-      up = first.up(from_floor);
-      slope = -first.slope(from_floor);
-    }
-    else if (s <= first.length() + lying && trails)
-    {
-      const Vector3 place = trail.position(s - first.length()), t = trail.tangent(s - first.length());
-      x = place.dot(ahead);
-      y = place.dot(aside);
-      heading = std::atan2(t.dot(aside), t.dot(ahead));
-    }
-    else if (s <= first.length() + lying)
-    {
-      arc.at(s - first.length(), x, y, heading);
-      x = first.span() + direction * x;
-      if (direction < 0.0)
-        heading = M_PI - heading;
-    }
-    else
-    {
-      const double from_floor = s - first.length() - lying;
-      x = first.span() + chord + last.along(from_floor);
-      up = last.up(from_floor);
-      slope = last.slope(from_floor);
-    }
-    Vector3 r = vessel + x * ahead + y * aside;
-    r.z() = levelAt(r) + side * up;
-    const Vector3 t =
-        (std::cos(heading) * ahead + std::sin(heading) * aside + side * slope * Vector3::UnitZ()).normalized();
-    shape[i] << r, t;
+    const double from_floor = t.first.length() - s;
+    p.x = t.first.span() - t.first.along(from_floor);
+    p.up = t.first.up(from_floor);
+    p.slope = -t.first.slope(from_floor);
+  }
+  else if (s <= t.first.length() + t.lying && trail)
+  {
+    const Vector3 place = trail->position(s - t.first.length()), direction = trail->tangent(s - t.first.length());
+    p.x = place.dot(ahead);
+    p.y = place.dot(aside);
+    p.heading = std::atan2(direction.dot(aside), direction.dot(ahead));
+  }
+  else if (s <= t.first.length() + t.lying)
+  {
+    const bool overlaps = t.chord < 0.0;
+    arc.at(s - t.first.length(), p.x, p.y, p.heading);
+    p.x = t.first.span() + (overlaps ? -p.x : p.x);
+    if (overlaps)
+      p.heading = M_PI - p.heading;
+  }
+  else
+  {
+    const double from_floor = s - t.first.length() - t.lying;
+    p.x = t.first.span() + t.chord + t.last.along(from_floor);
+    p.up = t.last.up(from_floor);
+    p.slope = t.last.slope(from_floor);
+  }
+  return p;
+}
+
+// The nodes of a tether that comes to a level from one side: +1 from above, -1 from below.
+template <typename Level>
+NodeField catenaryOnLevel(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle, double side,
+                          const Vector3& drift, const Level& levelAt)
+{
+  const double L = cable.length(), least = LEAST_RADIUS * L / cable.elements();
+  const auto heightOver = [&](const Vector3& p) { return std::max(side * (p.z() - levelAt(p)), 0.0); };
+  Vector3 way = vehicle - vessel;
+  way.z() = 0.0;
+  const double span = way.norm();
+  const Vector3 ahead = span > 1e-9 ? Vector3(way / span) : Vector3::UnitX();
+  const Vector3 aside = Vector3::UnitZ().cross(ahead);
+  if (span >= L)
+    return {};
+  const std::optional<LyingTether> t = findLegs(heightOver(vessel), heightOver(vehicle), L, span, least);
+  if (!t)
+    return {};
+  const Arc arc(t->lying, std::abs(t->chord));
+  const bool trails = drift.norm() > 0.0;
+  const Vector3 touchdown = t->first.span() * ahead;
+  const Catenary trail(touchdown, touchdown + t->chord * ahead, std::max(t->lying, 1e-9), trails ? drift : aside,
+                       least);
+
+  NodeField shape(cable.nodes());
+  for (int i = 0; i < cable.nodes(); ++i)
+  {
+    const PlanPoint p = pointAt(*t, arc, trails ? &trail : nullptr, ahead, aside, cable.arcLength(i));
+    Vector3 r = vessel + p.x * ahead + p.y * aside;
+    r.z() = levelAt(r) + side * p.up;
+    const Vector3 direction =
+        std::cos(p.heading) * ahead + std::sin(p.heading) * aside + side * p.slope * Vector3::UnitZ();
+    shape[i] << r, direction.normalized();
   }
   shape.front().head<3>() = vessel;
   shape.back().head<3>() = vehicle;
@@ -155,24 +182,24 @@ NodeField catenaryOnLevel(const CableModel& model, const Vector3& vessel, const 
 }
 }  // namespace
 
-NodeField groundedCatenary(const CableModel& model, const Vector3& vessel, const Vector3& vehicle)
+NodeField groundedCatenary(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle)
 {
-  const double radius = 0.5 * model.element(0).diameter;
-  return catenaryOnLevel(model, vessel, vehicle, 1.0, Vector3::Zero(),
-                         [&](const Vector3& p) { return model.sea().floorAt(p).z + radius; });
+  const double radius = 0.5 * cable.element(0).diameter;
+  return catenaryOnLevel(cable, vessel, vehicle, 1.0, Vector3::Zero(),
+                         [&](const Vector3& p) { return cable.environment().floorAt(p).z + radius; });
 }
 
-NodeField floatingCatenary(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+NodeField floatingCatenary(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle,
                            const Vector3& drift)
 {
-  const double level = floatingHeight(model).value_or(0.0);
-  return catenaryOnLevel(model, vessel, vehicle, -1.0, drift, [&](const Vector3&) { return level; });
+  const double level = floatingHeight(cable).value_or(0.0);
+  return catenaryOnLevel(cable, vessel, vehicle, -1.0, drift, [&](const Vector3&) { return level; });
 }
 
-std::optional<double> floatingHeight(const CableModel& model)
+std::optional<double> floatingHeight(const DeployedCable& cable)
 {
-  const ElementParameters& e = model.element(0);
-  const double displaced = model.sea().density() * e.area;
+  const ElementParameters& e = cable.element(0);
+  const double displaced = cable.environment().density() * e.area;
   if (!(e.mass < displaced))
     return std::nullopt;
   return e.diameter * (0.5 - e.mass / displaced);

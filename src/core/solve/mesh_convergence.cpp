@@ -5,8 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tether_monitor/core/assembly/contact_assembly.h"
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/assembly/end_forces.h"
 
 namespace tether_monitor::core
 {
@@ -68,13 +67,14 @@ struct TrialMotion
 // End tensions at every sample; empty if the motion could not be followed.
 using Tensions = std::vector<Vector3>;  // vessel, vehicle, nothing
 
-Tensions simulateTrial(CableModel& model, const NodeField& shape, const TrialMotion& motion,
+Tensions simulateTrial(const CableModel& model, const NodeField& shape, const TrialMotion& motion,
                        const StepperOptions& options, double& budget)
 {
   Tensions record;
-  CableState state(0.0, shape, motion.ends.velocity);
+  CableState state(0.0, shape, motion.ends.velocity, motion.ends.deployment);
   initializeContact(model, state);
   AdaptiveStepper stepper(model, options);
+  DeployedCable cable(model, state.deployment);
   for (int i = 1; i * SAMPLE <= DURATION + 1e-9; ++i)
   {
     const double t0 = state.time, t = i * SAMPLE;
@@ -86,7 +86,8 @@ Tensions simulateTrial(CableModel& model, const NodeField& shape, const TrialMot
     budget -= static_cast<double>(report.iterations + report.steps) * model.elements();
     if (!report.converged() || budget < 0.0)
       return {};
-    const EndForces forces = endForces(model, state);
+    cable.update(model, state.deployment);
+    const EndForces forces = endForces(cable, state);
     record.emplace_back(forces.vessel.norm(), forces.vehicle.norm(), 0.0);
   }
   return record;
@@ -120,11 +121,11 @@ double difference(const std::vector<Tensions>& coarse, const std::vector<Tension
 // Horizontal direction in which the tether leads; where it hangs straight down, that of the flow.
 Vector3 aheadOf(const CableModel& model, const SteadyEnds& ends)
 {
-  const Vector3 flow = ends.velocity - model.environment().current.at(0.0);
+  const Vector3 flow = ends.velocity - model.environment().current().at(0.0);
   for (Vector3 direction : {Vector3(ends.vessel - ends.vehicle), flow})
   {
     direction.z() = 0.0;
-    if (direction.norm() > 1e-6 * model.length())
+    if (direction.norm() > 1e-6 * model.length(ends.deployment))
       return direction.normalized();
   }
   return Vector3::UnitX();
@@ -147,7 +148,7 @@ class MeshConvergenceStudy
     options.max_iterations = std::min(options.max_iterations, TRIAL_ITERATIONS);
     try
     {
-      CableModel model = make_(elements);
+      const CableModel model = make_(elements);
       NodeField shape;
       SteadyStateSolver statics(model.nodes());
       const SolveReport steady = statics.solve(model, ends_, shape);
@@ -156,8 +157,8 @@ class MeshConvergenceStudy
         return records;
       TrialMotion motion{ends_, Vector3::Zero(), HEAVE, 0.0};
       motion.ends.vehicle = shape.back().head<3>();
-      const double slack = model.length() - (motion.ends.vessel - motion.ends.vehicle).norm();
-      const double room = std::max(SLACK_SHARE * slack, LEAST_MOTION * model.length());
+      const double slack = model.length(ends_.deployment) - (motion.ends.vessel - motion.ends.vehicle).norm();
+      const double room = std::max(SLACK_SHARE * slack, LEAST_MOTION * model.length(ends_.deployment));
       if (!model.bodies().vehicle)
         motion.heave = std::min(HEAVE, room);
       motion.circle = std::min(CIRCLE, room);

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "tether_monitor/core/assembly/prescribed_ends.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
-#include "tether_monitor/core/solve/grounded_catenary.h"
-#include "tether_monitor/core/solve/initial_guess.h"
+#include "tether_monitor/core/solve/starting_shape.h"
 
 namespace tether_monitor::core
 {
@@ -21,14 +20,15 @@ constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};           // of their st
 constexpr double CREEP_TOLERANCE =
     3e-5;  // residual over the weight scale with which a slack tether counts as at rest
 constexpr double INTERMEDIATE_TOLERANCE = 1e-4;  // relative tolerance of the first steps
-constexpr double NEWTON_SWITCH = 1e9;  // growth of tau over the first step at which the flow is Newton's method
+constexpr double NEWTON_SWITCH =
+    1e9;  // growth of tau over the first step at which the continuation is Newton's method
 
-// Metric of the flow per unit of pseudo-time [kg/s-like]: unit line density, lumped.
-void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
+// Metric of the continuation per unit of pseudo-time [kg/s-like]: unit line density, lumped.
+void addMetric(const DeployedCable& cable, double scale, BlockTridiagonal& tangent)
 {
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
   {
-    const double l = model.element(i).length;
+    const double l = cable.element(i).length;
     for (int node : {i, i + 1})
     {
       tangent.diagonal(node).diagonal().head<3>().array() += scale * 0.5 * l;
@@ -37,12 +37,12 @@ void addMetric(const CableModel& model, double scale, BlockTridiagonal& tangent)
   }
 }
 
-void addMetricForce(const CableModel& model, double scale, const NodeField& q, const NodeField& start,
+void addMetricForce(const DeployedCable& cable, double scale, const NodeField& q, const NodeField& start,
                     NodeField& residual)
 {
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
   {
-    const double l = model.element(i).length;
+    const double l = cable.element(i).length;
     for (int node : {i, i + 1})
     {
       residual[node].head<3>() += scale * 0.5 * l * (q[node] - start[node]).head<3>();
@@ -51,171 +51,109 @@ void addMetricForce(const CableModel& model, double scale, const NodeField& q, c
   }
 }
 
-bool isFolded(const CableModel& model, const NodeField& q)
+bool isFolded(const DeployedCable& cable, const NodeField& q)
 {
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
     for (const QuadraturePoint& point : QUADRATURE)
-      if (interpolate(shapeSlopes(point.xi, model.element(i).length), elementCoords(q, i)).norm() < FOLDED)
+      if (interpolate(shapeSlopes(point.xi, cable.element(i).length), elementCoords(q, i)).norm() < FOLDED)
         return true;
   return false;
 }
 
 // A steady state has the vessel end on its place; a body at the vehicle end is free.
-PrescribedEnds steadyHeld(const CableModel& model)
+PrescribedEnds steadyHeld(const EndBodies& bodies)
 {
-  return {true, !model.bodies().vehicle};
-}
-
-bool dipsBelowFloor(const CableModel& model, const NodeField& shape)
-{
-  for (const NodeCoords& node : shape)
-    if (node.z() < model.sea().floorAt(node.head<3>()).z)
-      return true;
-  return false;
-}
-
-bool risesAbove(double height, const NodeField& shape)
-{
-  return std::any_of(shape.begin() + 1, shape.end() - 1,
-                     [&](const NodeCoords& node) { return node.z() > height; });
-}
-
-// How much of a tether that is lighter than water a body holds down [m].
-double heldDown(const CableModel& model, const SteadyEnds& ends)
-{
-  const Vector3 pull = steadyForce(*model.bodies().vehicle, model.sea(), {0.0, 0.0, -100.0}, ends.velocity);
-  const ElementParameters& e = model.element(0);
-  const double lift = model.sea().gravity() * (model.sea().density() * e.area - e.mass);
-  return std::clamp(-pull.z() / lift, 0.0, model.length());
-}
-
-// A tether that floats between its ends, or from the vessel to where its body hangs down.
-NodeField floatingStart(const CableModel& model, const SteadyEnds& ends, double level)
-{
-  constexpr double TIGHT = 0.9;  // share of the floating length that lies between the ends
-  Vector3 end = ends.vehicle;
-  if (model.bodies().vehicle)
-  {
-    const Vector3 pull = steadyForce(*model.bodies().vehicle, model.sea(), {0.0, 0.0, -100.0}, ends.velocity);
-    const double hangs = std::min(heldDown(model, ends), 0.9 * model.length());
-    const double drift = std::hypot(pull.x(), pull.y());
-    const Vector3 away = drift > 0.0 ? Vector3(pull.x() / drift, pull.y() / drift, 0.0) : Vector3::UnitX();
-    const double down = std::max(level - ends.vessel.z(), 0.0);
-    end = ends.vessel + TIGHT * std::max(model.length() - hangs - down, 0.0) * away;
-    end.z() = level - hangs;
-  }
-  Vector3 drift =
-      netLoad(model, {ends.vessel.x(), ends.vessel.y(), -1.0}, {end.x(), end.y(), -1.0}, ends.velocity);
-  drift.z() = 0.0;
-  return floatingCatenary(model, ends.vessel, end, drift);
-}
-
-// The curve that the tether takes without obstacles, more or less.
-NodeField freeShape(const CableModel& model, const SteadyEnds& ends)
-{
-  const bool hangs = model.bodies().vehicle.has_value();
-  const NodeField shape = hangs ? hangingBodyGuess(model, ends.vessel, ends.velocity, *model.bodies().vehicle)
-                                : catenaryGuess(model, ends.vessel, ends.vehicle, ends.velocity);
-  const std::optional<double> afloat = floatingHeight(model);
-  const bool rises = afloat && (hangs ? heldDown(model, ends) < 0.95 * model.length()
-                                      : risesAbove(*afloat + model.element(0).diameter, shape));
-  if (rises)
-  {
-    const NodeField floating = floatingStart(model, ends, *afloat);
-    return floating.empty() ? shape : floating;
-  }
-  if (!model.sea().hasSeabed() || !dipsBelowFloor(model, shape))
-    return shape;
-  const NodeField laid =
-      groundedCatenary(model, ends.vessel, hangs ? Vector3(shape.back().head<3>()) : ends.vehicle);
-  return laid.empty() ? shape : laid;
-}
-
-// Moves nodes out of obstacles by the shortest way, the ends apart.
-void projectOutOfObstacles(const CableModel& model, NodeField& shape)
-{
-  constexpr int PASSES = 3;  // out of one obstacle may be into another
-  for (int pass = 0; pass < PASSES; ++pass)
-    for (const Obstacle& obstacle : model.environment().obstacles)
-      for (int i = 1; i < model.elements(); ++i)
-      {
-        const SignedDistance gap =
-            signedDistance(obstacle, shape[i].head<3>() - (obstacle.position - model.sea().origin()));
-        const double inside = 0.5 * model.element(i).diameter - gap.distance;
-        if (inside > 0.0)
-          shape[i].head<3>() += inside * gap.normal;
-      }
+  return {true, !bodies.vehicle};
 }
 
 CableModel withSofterObstacles(const CableModel& model, double share)
 {
-  CableModel softer = model;
-  std::vector<Obstacle> obstacles = model.environment().obstacles;
+  std::vector<Obstacle> obstacles = model.environment().obstacles();
   for (Obstacle& obstacle : obstacles)
     obstacle.stiffness *= share;
-  softer.sea().setObstacles(obstacles);
-  return softer;
+  return model.withEnvironment(model.environment().withObstacles(obstacles));
 }
 
+// The deployed length at rest.
+Deployment atRest(const CableModel& model, const SteadyEnds& ends)
+{
+  Deployment deployment = ends.deployment;
+  if (deployment.payout)
+    deployment.payout = PayoutState{model.length(deployment), 0.0, 0.0};
+  return deployment;
+}
 }  // namespace
 
-NodeField startingShape(const CableModel& model, const SteadyEnds& ends)
+SteadyStateSolver::SteadyStateSolver(int nodes, const SteadyStateOptions& options)
+  : options_(options), residual_(nodes, NodeCoords::Zero()), tangent_(nodes)
 {
-  NodeField shape = freeShape(model, ends);
-  projectOutOfObstacles(model, shape);
-  return shape;
 }
 
-SteadyStateSolver::SteadyStateSolver(int nodes, const SteadyStateOptions& options)
-  : options_(options),
-    start_(nodes, NodeCoords::Zero()),
-    residual_(start_),
-    start_residual_(start_),
-    tangent_(nodes)
+SteadyStateSolver::Search::Search(const CableModel& model, const SteadyEnds& ends)
+  : cable(model, atRest(model, ends)), start(model.nodes(), NodeCoords::Zero()), start_residual(start)
 {
+}
+
+// Where the tether would hang without obstacles tells on which side of them it lies.
+NodeField SteadyStateSolver::firstGuess(const DeployedCable& cable, const SteadyEnds& ends)
+{
+  if (!cable.environment().obstacles().empty())
+  {
+    NodeField hanging;
+    if (solve(cable.model().withEnvironment(cable.environment().withObstacles({})), ends, hanging).converged())
+    {
+      projectOutOfObstacles(cable, hanging);
+      return hanging;
+    }
+  }
+  return startingShape(cable, ends);
+}
+
+// A stiffer tether has no bights that the mesh cannot carry; its steady state is a better start.
+SolveReport SteadyStateSolver::searchByStiffening(const SteadyEnds& ends, Search& search, NodeField& shape)
+{
+  SolveReport cost;
+  shape = startingShape(search.cable, ends);
+  const CableModel model = search.cable.model();
+  const Deployment deployment = atRest(model, ends);
+  for (const double stiffness : HOMOTOPY_STIFFNESS)
+  {
+    search.cable.update(model, deployment);
+    search.cable.stiffen(stiffness);
+    cost.addCost(searchFrom(ends, search, shape));
+  }
+  search.cable.update(model, deployment);
+  SolveReport report = searchFrom(ends, search, shape);
+  report.addCost(cost);
+  return report;
+}
+
+// Obstacles that come up softly push a tether that starts inside them aside.
+SolveReport SteadyStateSolver::searchByObstacleStiffness(const CableModel& model, const SteadyEnds& ends,
+                                                         NodeField& shape)
+{
+  SolveReport report;
+  shape = startingShape(DeployedCable(model, atRest(model, ends)), ends);
+  for (const double share : OBSTACLE_SHARES)
+    report = solveFrom(withSofterObstacles(model, share), ends, shape);
+  return report;
 }
 
 SolveReport SteadyStateSolver::solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
-  if (!model.sea().wave().isCalm())
-  {
-    CableModel calm = model;
-    calm.sea().withoutWaves();
-    return solve(calm, ends, shape);
-  }
-  NodeField found;
-  if (!model.environment().obstacles.empty())
-  {
-    // Where it would hang without obstacles tells on which side of them it lies.
-    CableModel open = model;
-    open.sea().setObstacles({});
-    NodeField hanging;
-    if (solve(open, ends, hanging).converged())
-    {
-      found = hanging;
-      projectOutOfObstacles(model, found);
-    }
-  }
-  if (found.empty())
-    found = startingShape(model, ends);
-  SolveReport report = solveFrom(model, ends, found);
+  if (!model.environment().wave().isCalm())
+    return solve(model.withEnvironment(model.environment().withoutWaves()), ends, shape);
+  Search search(model, ends);
+  NodeField found = firstGuess(search.cable, ends);
+  SolveReport report = searchFrom(ends, search, found);
   if (!report.converged())
   {
-    // A stiffer tether has no bights that the mesh cannot carry; its steady state is a better start.
-    found = startingShape(model, ends);
-    for (const double stiffness : HOMOTOPY_STIFFNESS)
-      report.addCost(solveFrom(model.stiffened(stiffness), ends, found));
     const SolveReport before = report;
-    report = solveFrom(model, ends, found);
+    report = searchByStiffening(ends, search, found);
     report.addCost(before);
   }
-  if (!report.converged() && !model.environment().obstacles.empty())
-  {
-    // Obstacles that come up softly push a tether that starts inside them aside.
-    found = startingShape(model, ends);
-    for (const double share : OBSTACLE_SHARES)
-      report = solveFrom(withSofterObstacles(model, share), ends, found);
-  }
+  if (!report.converged() && !model.environment().obstacles().empty())
+    report = searchByObstacleStiffness(model, ends, found);
   if (report.converged())
     shape = found;
   return report;
@@ -223,50 +161,57 @@ SolveReport SteadyStateSolver::solve(const CableModel& model, const SteadyEnds& 
 
 SolveReport SteadyStateSolver::solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
+  Search search(model, ends);
+  return searchFrom(ends, search, shape);
+}
+
+SolveReport SteadyStateSolver::searchFrom(const SteadyEnds& ends, Search& search, NodeField& shape)
+{
+  const DeployedCable& cable = search.cable;
   trial_ = CableState(0.0, shape, ends.velocity);
-  NodeField& q = trial_.q;
-  q.front().head<3>() = ends.vessel;
-  if (!model.bodies().vehicle)
-    q.back().head<3>() = ends.vehicle;
-  initializeContact(model, trial_);
+  trial_.q.front().head<3>() = ends.vessel;
+  if (!cable.bodies().vehicle)
+    trial_.q.back().head<3>() = ends.vehicle;
+  cable.initializeContact(trial_);
 
   // A tether that is drawn over the floor slides on it. One at rest is held by it, else its slack would have no
   // place.
-  const bool slides = ends.velocity.norm() > STANDSTILL || !model.hasContact();
+  const bool slides = ends.velocity.norm() > STANDSTILL || !cable.environment().hasContact();
   trial_.contact.friction = slides ? FrictionMode::SLIP : FrictionMode::STICK;
-  SolveReport total = pseudoTransientContinuation(model);
-  if (total.converged() && isFolded(model, q))
+  SolveReport total = pseudoTransientContinuation(search);
+  if (total.converged() && isFolded(cable, trial_.q))
     total.status = SolveStatus::FOLDED_EQUILIBRIUM;
   if (total.converged())
-    shape = q;
+    shape = trial_.q;
   return total;
 }
 
-SolveReport SteadyStateSolver::pseudoTransientContinuation(const CableModel& model)
+SolveReport SteadyStateSolver::pseudoTransientContinuation(Search& search)
 {
   SolveReport total;
+  const DeployedCable& cable = search.cable;
   NodeField& q = trial_.q;
   // First step: the mean load per metre moves a free tether by FIRST_MOVE of its length.
-  const double tau_0 = FIRST_MOVE * model.length() / (model.forceScale() / model.length());
+  const double tau_0 = FIRST_MOVE * cable.length() / (cable.forceScale() / cable.length());
   double tau = tau_0, unbalanced = std::numeric_limits<double>::infinity();
   int iterations_left = options_.max_iterations;
   while (iterations_left > 0)
   {
-    start_ = q;
+    search.start = q;
     const bool is_newton = tau >= NEWTON_SWITCH * tau_0;
-    // On the way a rough solution of each step is enough; the last step has no metric and must be exact.
+    // At first a rough solution of each step is enough; the last step has no metric and must be exact.
     NewtonOptions newton = options_.newton;
     if (!is_newton)
       newton.relative_tolerance =
           std::max(newton.relative_tolerance, INTERMEDIATE_TOLERANCE / std::sqrt(std::max(tau / tau_0, 1.0)));
-    const SolveReport report = pseudoTimeStep(model, is_newton ? 0.0 : 1.0 / tau, newton, iterations_left);
+    const SolveReport report = pseudoTimeStep(is_newton ? 0.0 : 1.0 / tau, newton, search, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;
     total.status = report.status;
     if (!report.converged())
     {
       ++total.rejected;
-      q = start_;
+      q = search.start;
       tau *= 0.2;
       if (tau < 1e-9 * tau_0)
         return total;
@@ -276,48 +221,50 @@ SolveReport SteadyStateSolver::pseudoTransientContinuation(const CableModel& mod
     unbalanced = 0.0;
     if (is_newton)
       return total;
-    for (int i = 0; i < model.nodes(); ++i)
-      unbalanced =
-          std::max(unbalanced, (q[i] - start_[i]).head<3>().norm() / tau * model.length() / model.elements());
+    for (int i = 0; i < cable.nodes(); ++i)
+      unbalanced = std::max(unbalanced,
+                            (q[i] - search.start[i]).head<3>().norm() / tau * cable.length() / cable.elements());
     if (trial_.contact.friction != FrictionMode::SLIP)
-      commitFriction(model, trial_);
+      cable.commitFriction(trial_);
     tau *= report.iterations <= 4 ? 4.0 : 1.5;
   }
-  // A slack tether that floats, or weighs nothing, creeps: nothing holds it in its place.
+  // A slack tether that floats, or weighs nothing, drifts: nothing holds it in its place.
   total.residual = unbalanced;
-  total.status = unbalanced <= CREEP_TOLERANCE * (0.1 * model.forceScale()) ? SolveStatus::CONVERGED
+  total.status = unbalanced <= CREEP_TOLERANCE * (0.1 * cable.forceScale()) ? SolveStatus::CONVERGED
                                                                             : SolveStatus::ITERATION_LIMIT;
   return total;
 }
 
-ResidualSize SteadyStateSolver::assemble(const CableModel& model, double scale, const NewtonOptions& newton)
+ResidualSize SteadyStateSolver::assemble(double scale, const NewtonOptions& newton, const Search& search)
 {
-  model.assemble(trial_, TangentWeights{0.0, 0.0, 1.0}, residual_, tangent_);
-  addMetric(model, scale, tangent_);
-  addMetricForce(model, scale, trial_.q, start_, residual_);
+  const DeployedCable& cable = search.cable;
+  const TangentWeights stiffness_only{0.0, 0.0, 1.0};
+  cable.assemble(trial_, stiffness_only, residual_, tangent_);
+  addMetric(cable, scale, tangent_);
+  addMetricForce(cable, scale, trial_.q, search.start, residual_);
   double reaction = 0.0;
-  if (model.bodies().vehicle)
+  if (cable.bodies().vehicle)
   {
     reaction = residual_.back().head<3>().norm();
-    const AttachmentMotion at = attachmentMotion(trial_, trial_.q.size() - 1);
-    const RigidBodyResidual body = rigidBodyResidual(*model.bodies().vehicle, model.sea(), 0.0, at,
-                                                     AttitudeState(), Wrench(), TangentWeights{0.0, 0.0, 1.0});
+    const RigidBodyMotion motion = rigidBodyMotion(trial_, trial_.q.size() - 1, AttitudeState());
+    const RigidBodyResidual body =
+        rigidBodyResidual(*cable.bodies().vehicle, cable.environment(), motion, Wrench(), stiffness_only);
     residual_.back().head<3>() += body.force;
-    tangent_.diagonal(model.elements()).topLeftCorner<3, 3>() += body.force_n;
+    tangent_.diagonal(cable.elements()).topLeftCorner<3, 3>() += body.force_n;
   }
-  return imposePrescribedEnds(model, trial_.q, newton, steadyHeld(model), residual_, reaction);
+  return imposePrescribedEnds(cable, trial_.q, newton, steadyHeld(cable.bodies()), residual_, reaction);
 }
 
-bool SteadyStateSolver::solve(const CableModel& model)
+bool SteadyStateSolver::solve(Search& search)
 {
-  start_residual_ = residual_;
-  if (tangent_.solve(model.kernel(), residual_))
+  search.start_residual = residual_;
+  if (tangent_.solve(search.cable.model().kernel().solve, residual_))
     return true;
-  residual_ = start_residual_;
+  residual_ = search.start_residual;
   return tangent_.solvePivoted(residual_);
 }
 
-SolveReport SteadyStateSolver::pseudoTimeStep(const CableModel& model, double scale, const NewtonOptions& newton,
+SolveReport SteadyStateSolver::pseudoTimeStep(double scale, const NewtonOptions& newton, Search& search,
                                               int& iterations_left)
 {
   SolveReport report;
@@ -325,7 +272,7 @@ SolveReport SteadyStateSolver::pseudoTimeStep(const CableModel& model, double sc
   double previous = 0.0;
   for (int k = 0;; ++k)
   {
-    const ResidualSize size = assemble(model, scale, newton);
+    const ResidualSize size = assemble(scale, newton, search);
     report.residual = size.largest;
     if (size.largest <= size.tolerance)
     {
@@ -338,15 +285,15 @@ SolveReport SteadyStateSolver::pseudoTimeStep(const CableModel& model, double sc
     // A Newton that goes round in circles at a kink of a law comes out of them with shorter steps.
     const double share = k >= 14 && size.largest > 0.5 * previous ? 0.5 : 1.0;
     previous = size.largest;
-    imposePrescribedEnds(steadyHeld(model), tangent_);
+    imposePrescribedEnds(steadyHeld(search.cable.bodies()), tangent_);
     ++report.iterations;
     --iterations_left;
-    if (!std::isfinite(size.largest) || !solve(model))
+    if (!std::isfinite(size.largest) || !solve(search))
     {
       report.status = SolveStatus::SINGULAR;
       return report;
     }
-    for (int i = 0; i < model.nodes(); ++i)
+    for (std::size_t i = 0; i < trial_.q.size(); ++i)
       trial_.q[i] -= share * residual_[i];
   }
 }

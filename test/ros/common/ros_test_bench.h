@@ -18,19 +18,19 @@
 namespace tether_monitor
 {
 /// A vessel, a vehicle and the clock of a test. Time passes only in run(), a tick of the monitor at a time.
-class Scenario
+class RosTestBench
 {
  public:
-  Scenario()
+  RosTestBench()
     : clock_(nh_.advertise<rosgraph_msgs::Clock>("/clock", 10)),
       vessel_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vessel/pose", 10)),
       vehicle_(nh_.advertise<geometry_msgs::PoseStamped>("/rov1/vehicle/pose", 10))
   {
     const std::string node = "/rov1/tether_monitor/";
-    subscribers_ = {nh_.subscribe(node + "state", 100, &Scenario::onState, this),
-                    nh_.subscribe(node + "over_tension", 100, &Scenario::onOverTension, this),
-                    nh_.subscribe(node + "alarms", 100, &Scenario::onAlarms, this),
-                    nh_.subscribe("/diagnostics", 100, &Scenario::onDiagnostics, this)};
+    subscribers_ = {nh_.subscribe(node + "state", 100, &RosTestBench::onState, this),
+                    nh_.subscribe(node + "over_tension", 100, &RosTestBench::onOverTension, this),
+                    nh_.subscribe(node + "alarms", 100, &RosTestBench::onAlarms, this),
+                    nh_.subscribe("/diagnostics", 100, &RosTestBench::onDiagnostics, this)};
     waitFor(
         [this]
         {

@@ -2,14 +2,13 @@
 
 #include <vector>
 
-#include "tether_monitor/core/assembly/cable_model.h"
-#include "tether_monitor/core/cable/cable_state.h"
-#include "tether_monitor/core/linalg/block_tridiagonal.h"
+#include "tether_monitor/core/assembly/end_body_condensation.h"
 
 namespace tether_monitor::core
 {
 /**
- * What small motions of its ends ask of a tether at one rate of growth: all displacements grow as e^(sigma t).
+ * Dynamic stiffness of a tether at its ends at a real Laplace variable sigma: all displacements grow as e^(sigma
+ * t).
  *
  * Forces are those that a node must receive from outside, world axes [N/m]. Rows: force; columns: displacement.
  */
@@ -34,11 +33,13 @@ class EndDynamicStiffnessSolver
   explicit EndDynamicStiffnessSolver(int nodes);
 
   /**
-   * @param model  with a simulated vehicle and a held vessel end.
-   * @param sigma  rate of growth [1/s], > 0.
-   * @return       false, and `impedance` is unusable, if the matrix is singular.
+   * @param cable  with a simulated vehicle and a held vessel end.
+   * @param sigma  Laplace variable [1/s], > 0.
+   * @return       false, and `stiffness` is unusable, if the matrix is singular.
    */
-  bool solve(const CableModel& model, const CableState& state, double sigma, EndDynamicStiffness& impedance);
+  bool solve(const DeployedCable& cable, const CableState& state, double sigma, EndDynamicStiffness& stiffness);
+  /// The same for set-up and tests: allocates.
+  bool solve(const CableModel& model, const CableState& state, double sigma, EndDynamicStiffness& stiffness);
 
  private:
   BlockTridiagonal tangent_;

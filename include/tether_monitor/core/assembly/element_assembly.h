@@ -2,21 +2,15 @@
 
 #include <vector>
 
-#include "tether_monitor/core/assembly/element_equations.h"
+#include "tether_monitor/core/base/tangent_weights.h"
 #include "tether_monitor/core/cable/cable_state.h"
+#include "tether_monitor/core/element/element_parameters.h"
 #include "tether_monitor/core/environment/environment_model.h"
 #include "tether_monitor/core/kernel/kernel.h"
 #include "tether_monitor/core/linalg/block_tridiagonal.h"
 
 namespace tether_monitor::core
 {
-/// How much of the tangent is wanted.
-enum class TangentKind
-{
-  SYMMETRIC,  ///< what a time step needs: the turning of drag with the tether, small by the step, is left out.
-  COMPLETE    ///< everything, for steady states.
-};
-
 /// The constants of all elements of a tether as the kernels read them, and the loop over the elements.
 class ElementAssembler
 {
@@ -27,10 +21,10 @@ class ElementAssembler
   void set(int i, const ElementParameters& p);
 
   /// Residuals of elements first .. first + count - 1 alone, count <= kernel::BLOCK, 12 numbers each into `out`.
-  void residuals(const kernel::Kernel& kernel, const EnvironmentModel& sea, const CableState& state, int first,
-                 int count, ElementCoords* out) const;
+  void residuals(const kernel::Kernel& kernel, const EnvironmentModel& environment, const CableState& state,
+                 int first, int count, ElementCoords* out) const;
   /// Residual of every node and tangent; sets both.
-  void assemble(const kernel::Kernel& kernel, const EnvironmentModel& sea, const CableState& state,
+  void assemble(const kernel::Kernel& kernel, const EnvironmentModel& environment, const CableState& state,
                 const TangentWeights& weights, TangentKind kind, NodeField& residual,
                 BlockTridiagonal& tangent) const;
 
@@ -38,9 +32,9 @@ class ElementAssembler
   struct alignas(64) Constants
   {
     double x[kernel::CONSTANTS][kernel::BLOCK] = {};
-    bool damping[kernel::BLOCK] = {}, compression[kernel::BLOCK] = {}, flow[kernel::BLOCK] = {};
+    bool damping[kernel::BLOCK] = {}, compression[kernel::BLOCK] = {}, transport[kernel::BLOCK] = {};
   };
-  kernel::ElementBlock block(const EnvironmentModel& sea, const kernel::Surroundings& around,
+  kernel::ElementBlock block(const EnvironmentModel& environment, const kernel::Surroundings& around,
                              const CableState& state, int first, int count, double* water) const;
 
   int count_;

@@ -1,27 +1,9 @@
 #pragma once
 
-#include "tether_monitor/core/assembly/cable_model.h"
-#include "tether_monitor/core/cable/cable_state.h"
+#include "tether_monitor/core/assembly/end_forces.h"
 
 namespace tether_monitor::core
 {
-/// Forces exerted by the tether on what holds its ends, world frame [N].
-struct EndForces
-{
-  Vector3 vessel = Vector3::Zero();
-  Vector3 vehicle = Vector3::Zero();
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(vessel, vehicle);
-  }
-};
-
-/// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight,
-/// drag and inertia of the tether, and are far more accurate than EA eps there.
-EndForces endForces(const CableModel& model, const CableState& state);
-
 /// What is reported along the tether. Vectors have one entry a station, from the vessel end to the vehicle end.
 /// Stations: every node and the middle of every element, 2 N + 1 in all.
 struct StationProfile
@@ -51,7 +33,7 @@ struct StationProfile
   }
 };
 
-/// Fills `field` (made for this model's element count) from a state; allocates nothing.
-void computeStations(const CableModel& model, const CableState& state, StationProfile& field);
+/// Fills `profile` (made for this cable's element count) from a state; allocates nothing.
+void computeStations(const DeployedCable& cable, const CableState& state, StationProfile& profile);
 
 }  // namespace tether_monitor::core

@@ -15,4 +15,12 @@ inline Eigen::Quaterniond expSO3(const Vector3& turn)
   return {std::cos(0.5 * angle), sine * turn.x(), sine * turn.y(), sine * turn.z()};
 }
 
+/// The matrix of the cross product: skew(a) b = a x b.
+inline Matrix3 skew(const Vector3& a)
+{
+  Matrix3 m;
+  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return m;
+}
+
 }  // namespace tether_monitor::core

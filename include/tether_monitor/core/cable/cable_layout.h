@@ -36,21 +36,8 @@ struct CableLayout
 /// Every bound of the layout of a tether of the given length [m] that is violated, one sentence each.
 std::vector<std::string> validate(const CableLayout& layout, double length);
 
-/**
- * Arc lengths of the nodes of a mesh: a node on every section boundary and attachment, elements shared out by
- * length. Next to an attachment an element is short, since the tether has a kink there that a smooth element would
- * round off.
- *
- * @return  elements + 1 values from 0 to length; empty if there are fewer elements than pieces between layout.
- */
-std::vector<double> meshNodes(double length, int elements, const CableLayout& layout);
-
 /// Least allowed bend radius by which a tether is judged [m]: its own, else the smallest of its sections, if any
 /// has one.
 std::optional<double> bendLimit(const CableProperties& tether, const CableLayout& layout);
-
-/// First section boundary or attachment from the vessel end, else the length [m]: up to there the mesh can grow
-/// when the tether is paid out.
-double firstFixedPoint(double length, const CableLayout& layout);
 
 }  // namespace tether_monitor::core

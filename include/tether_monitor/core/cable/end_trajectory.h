@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
-
 #include "tether_monitor/core/base/types.h"
-#include "tether_monitor/core/cable/payout_trajectory.h"
 
 namespace tether_monitor::core
 {
@@ -46,23 +43,6 @@ class EndTrajectory
   double t0_ = 0.0;
   // Coefficients of 1, x, x^2, x^3 with x = t - t0.
   Eigen::Matrix<double, 3, 4> c_ = Eigen::Matrix<double, 3, 4>::Zero();
-};
-
-/// What drives a tether over a stretch of time: paths of held ends, thrust of simulated bodies, pay-out.
-struct BoundaryConditions
-{
-  EndTrajectory vessel;
-  EndTrajectory vehicle;
-  Wrench vessel_thrust = {};                ///< at the centre of mass, body axes; for an end with a body.
-  Wrench vehicle_thrust = {};               ///< likewise.
-  Vector3 vehicle_force = Vector3::Zero();  ///< more force on a simulated vehicle [N], world axes.
-  std::optional<PayoutTrajectory> payout = std::nullopt;  ///< none: the deployed length stays.
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(vessel, vehicle, vessel_thrust, vehicle_thrust, vehicle_force, payout);
-  }
 };
 
 }  // namespace tether_monitor::core

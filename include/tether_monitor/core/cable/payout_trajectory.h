@@ -18,6 +18,11 @@ struct PayoutState
   }
 };
 
+inline bool operator==(const PayoutState& a, const PayoutState& b)
+{
+  return a.length == b.length && a.rate == b.rate && a.acceleration == b.acceleration;
+}
+
 /// Deployed length over a stretch of time: a cubic in time, continuous in length and rate.
 class PayoutTrajectory
 {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "tether_monitor/core/assembly/element_equations.h"
-#include "tether_monitor/core/cable/cable_state.h"
+#include "tether_monitor/core/base/tangent_weights.h"
+#include "tether_monitor/core/base/types.h"
+#include "tether_monitor/core/cable/friction_state.h"
 
 namespace tether_monitor::core
 {
@@ -34,7 +35,7 @@ struct ContactResponse
 };
 
 /**
- * The law of contact: a normal spring that begins softly and a damper, never in pull, (M22); a friction spring
+ * The law of contact: a normal spring that begins softly and a damper, never in tension, (M22); a friction spring
  * that slips at mu N, (M23).
  *
  * @param diameter  of the tether [m].

@@ -2,47 +2,80 @@
 
 #include <cmath>
 
+#include "tether_monitor/core/base/lane_math.h"
+
 namespace tether_monitor::core
 {
 /// Constants of the axial law of one element.
 struct AxialParameters
 {
-  double stiffness = 0.0;          ///< EA [N] per Green-Lagrange strain, > 0.
-  double damping = 0.0;            ///< tau [s], >= 0: N = N(eps) + tau EA d eps/dt, (M5), in pull and push alike.
-  double compression_limit = 0.0;  ///< Pc [N], > 0: largest push that the law carries, apart from the residual.
-  double residual = 0.0;           ///< kappa [-], 0 <= kappa < 1: share of EA left in deep compression.
+  double stiffness = 0.0;  ///< EA [N] per Green-Lagrange strain, > 0.
+  double damping = 0.0;    ///< tau [s], >= 0: N = N(eps) + tau EA d eps/dt, (M5), in tension and compression.
+  double compression_limit = 0.0;  ///< Pc [N], > 0: largest compression that the law carries, apart from kappa's.
+  double compression_stiffness_ratio = 0.0;  ///< kappa [-], 0 <= kappa < 1: share of EA left in deep compression.
 };
 
-/// Result of the axial law at one point.
-struct AxialLaw
+/// The same as the law uses them. V is double or a vector of them.
+template <class V>
+struct AxialCoefficients
 {
-  double energy;   ///< psi(eps) [N] = J per unstretched metre; >= 0.
-  double force;    ///< N(eps) = d psi / d eps [N]; the physical tension is N |r'|.
-  double modulus;  ///< d N / d eps [N]; > 0.
+  V linear;         ///< kappa EA [N].
+  V softening;      ///< (1 - kappa) EA [N].
+  V inverse_delta;  ///< EA / Pc [-].
+};
+
+template <class V>
+TETHER_MONITOR_INLINE AxialCoefficients<V> axialCoefficients(V stiffness, V compression_limit, V ratio)
+{
+  const V linear = ratio * stiffness;
+  return {linear, stiffness - linear, stiffness / compression_limit};
+}
+
+/// Result of the axial law at one point.
+template <class V>
+struct AxialResponse
+{
+  V force;    ///< N(eps) = d psi / d eps [N]; the physical tension is N |r'|.
+  V modulus;  ///< d N / d eps [N]; > 0.
 };
 
 /**
- * Tension-only axial law with a smooth residual.
+ * Tension-only axial law with a smooth residual stiffness.
  *
- * Model: (M3) of doc/model.md. For eps >= 0, N = EA eps exactly. For eps < 0 the push grows smoothly to Pc,
+ * Model: (M3) of doc/model.md. For eps >= 0, N = EA eps. For eps < 0 the compression grows smoothly to Pc,
  *   N = kappa EA eps + (1 - kappa) EA eps / (1 - eps/delta),  delta = Pc / EA,
  * so N, and the modulus, are continuous at 0 and the modulus never falls below kappa EA: a slack element keeps a
  * definite tangent and does not fold.
  *
- * @param p    constants, see AxialParameters (bounds are checked at set-up).
+ * @param c    constants, see axialCoefficients() (bounds are checked at set-up).
  * @param eps  Green-Lagrange strain (r'.r' - 1)/2 [-]; any finite number.
  */
-inline AxialLaw axialLaw(const AxialParameters& p, double eps)
+template <class V>
+TETHER_MONITOR_INLINE AxialResponse<V> axialResponse(const AxialCoefficients<V>& c, V eps)
 {
-  const double EA = p.stiffness;
+  const V y = lanes::max(-eps * c.inverse_delta, V{});
+  V softening = lanes::broadcast<V>(1.0);
+  if (lanes::any(y > 0.0))
+    softening = 1.0 / (1.0 + y);
+  return {c.linear * eps + c.softening * eps * softening, c.linear + c.softening * softening * softening};
+}
+
+/// The response of one element with constants `p`.
+inline AxialResponse<double> axialResponse(const AxialParameters& p, double eps)
+{
+  return axialResponse(axialCoefficients(p.stiffness, p.compression_limit, p.compression_stiffness_ratio), eps);
+}
+
+/// Strain energy psi(eps) [N] = J per unstretched metre, >= 0: the integral of the force from 0, (M3).
+inline double axialEnergy(const AxialParameters& p, double eps)
+{
   if (eps >= 0.0)
-    return {0.5 * EA * eps * eps, EA * eps, EA};
-  const double delta = p.compression_limit / EA;
+    return 0.5 * p.stiffness * eps * eps;
+  const double delta = p.compression_limit / p.stiffness;
   const double y = -eps / delta;
-  const double soft = (1.0 - p.residual) * EA;
-  const double d = 1.0 / (1.0 + y);
-  return {0.5 * p.residual * EA * eps * eps + soft * delta * delta * (y - std::log1p(y)),
-          p.residual * EA * eps + soft * eps * d, p.residual * EA + soft * d * d};
+  const double soft = (1.0 - p.compression_stiffness_ratio) * p.stiffness;
+  return 0.5 * p.compression_stiffness_ratio * p.stiffness * eps * eps +
+         soft * delta * delta * (y - std::log1p(y));
 }
 
 }  // namespace tether_monitor::core

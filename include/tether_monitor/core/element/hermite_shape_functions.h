@@ -11,12 +11,12 @@ using ShapeValues = std::array<double, 4>;
  * Hermite functions and their derivatives on an element of unstretched length L.
  *
  * Model: r(s) = S1 r_a + S2 r'_a + S3 r_b + S4 r'_b, (M1) of doc/model.md; Blintsov & Trunin (2020), eqs 1-4.
- * The one parametrisation of this package is xi = s / L in [0, 1].
+ * The one parametrisation of this package is xi = s / L in [0, 1]; the tables of the kernels are made from these.
  *
  * @param xi  place on the element [-]; 0 <= xi <= 1 (not checked: evaluated as polynomials).
  * @param L   unstretched length of the element [m]; L > 0.
  */
-inline ShapeValues shapeFunctions(double xi, double L)
+constexpr ShapeValues shapeFunctions(double xi, double L)
 {
   const double x2 = xi * xi;
   const double x3 = x2 * xi;
@@ -24,14 +24,14 @@ inline ShapeValues shapeFunctions(double xi, double L)
 }
 
 /// First derivatives with respect to s [1/m, -, 1/m, -]; arguments as shapeFunctions().
-inline ShapeValues shapeSlopes(double xi, double L)
+constexpr ShapeValues shapeSlopes(double xi, double L)
 {
   const double x2 = xi * xi;
   return {6.0 * (x2 - xi) / L, 1.0 - 4.0 * xi + 3.0 * x2, 6.0 * (xi - x2) / L, 3.0 * x2 - 2.0 * xi};
 }
 
 /// Second derivatives with respect to s [1/m^2, 1/m, 1/m^2, 1/m]; arguments as shapeFunctions().
-inline ShapeValues shapeCurvatures(double xi, double L)
+constexpr ShapeValues shapeCurvatures(double xi, double L)
 {
   return {(12.0 * xi - 6.0) / (L * L), (6.0 * xi - 4.0) / L, (6.0 - 12.0 * xi) / (L * L), (6.0 * xi - 2.0) / L};
 }

@@ -16,7 +16,8 @@ struct WaterKinematics
 /**
  * An Environment ready for the stepping path, seen from a model whose coordinates have their own origin.
  *
- * Points are given in the coordinates of the model; heights are those of the world.
+ * Immutable: a changed environment is another one, made by the with...() functions. They allocate: not for the
+ * stepping path. Points are given in the coordinates of the model; heights are those of the world.
  */
 class EnvironmentModel
 {
@@ -24,28 +25,32 @@ class EnvironmentModel
   static constexpr double AIR_DENSITY = 1.225;  ///< [kg/m^3]
 
   /// @throws std::invalid_argument listing violated bounds.
-  EnvironmentModel(const Environment& environment);  // NOLINT: an environment is a sea at the world's origin
+  explicit EnvironmentModel(const Environment& environment);
+
+  /// The same with the model's origin elsewhere in the world [m]; z = 0. Default: the world's origin.
+  EnvironmentModel withOrigin(const Vector3& origin) const;
+  /// The same with times that count from `epoch` [s] of the clock in which the waves are given. Default 0.
+  EnvironmentModel withTimeOrigin(double epoch) const;
+  /// The same without waves, for steady states.
+  EnvironmentModel withoutWaves() const;
+  EnvironmentModel withCurrent(const CurrentProfile& current) const;
+  /// @param obstacles  each without violated bounds, places in the world.
+  EnvironmentModel withObstacles(std::vector<Obstacle> obstacles) const;
+  /// The same over a level floor. @param depth  [m], > 0, deep enough for the waves; there must be a seabed.
+  EnvironmentModel withDepth(double depth) const;
 
   double density() const { return environment_.water_density; }
   double gravity() const { return environment_.gravity; }
   const Vector3& wind() const { return environment_.wind; }
   bool hasWind() const { return has_wind_; }
   const AiryWave& wave() const { return wave_; }
-  const Environment& environment() const { return environment_; }
-
-  /// Place of the model's origin in the world [m], z = 0. Default zero.
-  void setOrigin(const Vector3& origin) { origin_ = origin; }
+  const CurrentProfile& current() const { return environment_.current; }
+  const std::vector<Obstacle>& obstacles() const { return environment_.obstacles; }
+  const std::optional<Seabed>& seabed() const { return environment_.seabed; }
+  /// As a user describes it, with what was changed since.
+  const Environment& description() const { return environment_; }
   const Vector3& origin() const { return origin_; }
-  /// Replaces parts of the environment. They allocate: not for the stepping path.
-  void setCurrent(const CurrentProfile& current) { environment_.current = current; }
-  void setObstacles(const std::vector<Obstacle>& obstacles) { environment_.obstacles = obstacles; }
-  /// Depth of a seabed that there is already [m], > 0; a grid is dropped.
-  void setDepth(double depth);
-  /// Times count from `epoch` [s] of the clock that the waves are told in. Default zero.
-  void setEpoch(double epoch);
-  double epoch() const { return epoch_; }
-  /// Takes the waves away, for steady states.
-  void withoutWaves() { wave_ = AiryWave(); }
+  double timeOrigin() const { return time_origin_; }
 
   /// True if the water moves everywhere alike, and without waves.
   bool isUniform() const { return wave_.isCalm() && environment_.current.samples().size() <= 1; }
@@ -59,6 +64,8 @@ class EnvironmentModel
   }
 
   bool hasSeabed() const { return environment_.seabed.has_value(); }
+  /// True if there is anything that a tether could touch.
+  bool hasContact() const { return hasSeabed() || !environment_.obstacles.empty(); }
   /// The sea floor under (x, y) of the model; hasSeabed() must hold.
   Seabed::Place floorAt(const Vector3& point) const
   {
@@ -71,7 +78,7 @@ class EnvironmentModel
   Environment environment_;
   AiryWave wave_;
   Vector3 origin_ = Vector3::Zero();
-  double epoch_ = 0.0;
+  double time_origin_ = 0.0;
   bool has_wind_;
 };
 

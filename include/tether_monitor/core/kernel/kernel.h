@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "tether_monitor/core/kernel/block_solve_kernel.h"
+
 namespace tether_monitor::core
 {
 /**
@@ -13,10 +15,8 @@ namespace tether_monitor::core
  */
 namespace kernel
 {
-constexpr int BLOCK = 8;            ///< elements that one call takes at most.
-constexpr int COLUMN = 8;           ///< numbers from one column of a 6 x 6 block to the next.
-constexpr int MATRIX = 6 * COLUMN;  ///< numbers of a 6 x 6 block.
-constexpr int POINTS = 3;           ///< integration points of an element.
+constexpr int BLOCK = 8;   ///< elements that one call takes at most.
+constexpr int POINTS = 3;  ///< integration points of an element.
 
 /// Rows of the table of constants, one number for each element of a block; see ElementParameters.
 enum Constant
@@ -29,9 +29,9 @@ enum Constant
   DRAG_TANGENTIAL,
   ADDED_MASS,
   AXIAL_STIFFNESS,
-  AXIAL_VISCOSITY,    ///< tau EA [N s].
-  COMPRESSION_LIMIT,  ///< Pc [N].
-  AXIAL_RESIDUAL,     ///< kappa [-].
+  AXIAL_VISCOSITY,              ///< tau EA [N s].
+  COMPRESSION_LIMIT,            ///< Pc [N].
+  COMPRESSION_STIFFNESS_RATIO,  ///< kappa [-].
   BENDING_STIFFNESS,
   COMPRESSION,
   NATURAL_STRETCH,
@@ -82,15 +82,6 @@ struct ElementBlock
   double* lower;     ///< tangents: out, block in the row of node b, column of node a.
 };
 
-/// A block-tridiagonal system of 6 x 6 blocks.
-struct BlockSystem
-{
-  int nodes;  ///< >= 2.
-  const double *diagonal, *upper, *lower;
-  double* b;        ///< in: right-hand side, six numbers a node; out: solution.
-  double* scratch;  ///< nodes x (MATRIX + COLUMN) numbers, aligned to 64 bytes.
-};
-
 /// One set of functions. All are reentrant and allocate nothing.
 struct Kernel
 {
@@ -100,8 +91,7 @@ struct Kernel
   void (*symmetric)(const ElementBlock&);  ///< residual, and the symmetric part of the tangent that matters in a
                                            ///< time step: without the turning of drag with the tether.
   void (*complete)(const ElementBlock&);   ///< residual and the whole tangent.
-  bool (*solve)(const BlockSystem&);       ///< elimination from both ends, without pivoting; false if a pivot is
-                                           ///< lost or a number is not finite; b is then unusable.
+  BlockSolveKernel solve;
   double (*multiplyAdds)(
       long rounds);  ///< nothing but independent multiply-adds: what the machine can do at most.
 };

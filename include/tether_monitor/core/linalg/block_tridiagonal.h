@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tether_monitor/core/base/types.h"
-#include "tether_monitor/core/kernel/kernel.h"
+#include "tether_monitor/core/kernel/block_solve_kernel.h"
 
 namespace tether_monitor::core
 {
@@ -44,7 +44,7 @@ class BlockTridiagonal
    * @param b  in: right-hand side, out: solution. Size nodes().
    * @return   false if a pivot is lost or a number is not finite; b is then unusable.
    */
-  bool solve(const kernel::Kernel& kernel, NodeField& b);
+  bool solve(kernel::BlockSolveKernel kernel, NodeField& b);
 
   /// As solve(), with partial pivoting within the blocks; the factors stay for solveWithFactors().
   bool solvePivoted(NodeField& b);

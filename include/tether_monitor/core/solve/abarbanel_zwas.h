@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "tether_monitor/core/assembly/cable_model.h"
 #include "tether_monitor/core/assembly/end_body_condensation.h"
+#include "tether_monitor/core/assembly/prescribed_ends.h"
 #include "tether_monitor/core/base/solve_report.h"
 #include "tether_monitor/core/cable/cable_state.h"
 #include "tether_monitor/core/cable/end_trajectory.h"
@@ -35,26 +35,30 @@ class AbarbanelZwas
 
   /// Largest stable step [s] for a model, from the fastest wave in any element: axial, bending, contact, with what
   /// the axial damping takes off.
-  static double stableStep(const CableModel& model);
+  static double stableStep(const DeployedCable& cable);
+  double stableStep(const CableModel& model, const CableState& state);
 
   /// As GeneralizedAlpha::step(); `iterations` counts predictor and corrections. Fails only when numbers are not
   /// finite.
-  SolveReport step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
+  SolveReport step(const CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
 
   /// Takes memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
 
  private:
   // Residual at the trial layer; the blocks of the mass matrix too on the first call of a step.
-  void assemble(const CableModel& model, const BoundaryConditions& ends, bool first);
-  void place(const CableModel& model, const BoundaryConditions& ends, double h, const CableState& state);
+  void assemble(const BoundaryConditions& ends, bool first);
+  void beginLayer(double h, const CableState& state);
+  void place(const BoundaryConditions& ends, double h, const CableState& state);
+  void accept(CableState& state);
 
   int corrections_;
+  DeployedCable cable_;
   CableState trial_;
   NodeField residual_;
   BlockTridiagonal mass_;
   std::vector<Eigen::PartialPivLU<NodeMatrix>> blocks_;
-  CondensedBody vessel_, vehicle_;
+  CondensedEndBodies bodies_;
   BorderedSystem bordered_;
   std::vector<int> movable_obstacles_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <variant>
 
 #include "tether_monitor/core/solve/abarbanel_zwas.h"
 #include "tether_monitor/core/solve/generalized_alpha.h"
@@ -20,8 +20,8 @@ struct StepperOptions
   double step = 0.05;            ///< [s], > 0: largest step.
   double spectral_radius = 0.6;  ///< rho_inf [-], 0..1.
   int max_halvings = 10;         ///< >= 0: smallest step is step / 2^max_halvings.
-  int max_iterations =
-      400;  ///< >= 1: Newton iterations that one advance() may spend for each full step it has to make.
+  int max_iterations = 400;  ///< >= 1: Newton iterations that one advance() may spend for each full step it has
+                             ///< to make.
   NewtonOptions newton;
   Scheme scheme = Scheme::GENERALIZED_ALPHA;
   int corrections = 8;   ///< of ABARBANEL_ZWAS, 0..100.
@@ -48,24 +48,28 @@ class AdaptiveStepper
   /**
    * Steps `state` to time t_end.
    *
-   * @param ends   paths of the held ends, valid from state.time to t_end.
+   * @param ends   trajectories of the held ends, valid from state.time to t_end.
    * @param t_end  [s]; not before state.time (equal: nothing happens).
    * @param state  in and out; on failure the last state that converged, at its own time.
    * @return       sums over the call; ITERATION_LIMIT or the failure of the smallest step if t_end was not
    * reached; ITERATION_LIMIT at once if t_end is more than a million full steps away.
    */
-  SolveReport advance(CableModel& model, const BoundaryConditions& ends, double t_end, CableState& state);
+  SolveReport advance(const CableModel& model, const BoundaryConditions& ends, double t_end, CableState& state);
 
   /// Takes memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
   const StepperOptions& options() const { return options_; }
 
  private:
-  SolveReport step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
+  using TimeIntegrator = std::variant<GeneralizedAlpha, AbarbanelZwas>;
+
+  static TimeIntegrator makeIntegrator(const CableModel& model, const StepperOptions& options);
+  SolveReport step(const CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
+  double largestStep(const CableModel& model, const CableState& state);
+  bool isExplicit() const { return std::holds_alternative<AbarbanelZwas>(integrator_); }
 
   StepperOptions options_;
-  GeneralizedAlpha integrator_;
-  std::optional<AbarbanelZwas> explicit_;
+  TimeIntegrator integrator_;
 };
 
 }  // namespace tether_monitor::core

@@ -1,8 +1,5 @@
 #pragma once
 
-#include "tether_monitor/core/assembly/cable_model.h"
-#include "tether_monitor/core/base/solve_report.h"
-#include "tether_monitor/core/cable/cable_state.h"
 #include "tether_monitor/core/solve/steady_state_solver.h"
 
 namespace tether_monitor::core
@@ -33,7 +30,7 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
  *
  * @param shape  out: unchanged unless the report says converged.
  */
-SolveReport findSteadyState(SteadyStateSolver& statics, const CableModel& model, const SteadyEnds& ends,
+SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, const SteadyEnds& ends,
                             NodeField& shape);
 
 }  // namespace tether_monitor::core

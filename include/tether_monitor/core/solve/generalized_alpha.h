@@ -1,18 +1,14 @@
 #pragma once
 
-#include "tether_monitor/core/assembly/cable_model.h"
 #include "tether_monitor/core/assembly/end_body_condensation.h"
 #include "tether_monitor/core/assembly/prescribed_ends.h"
-#include "tether_monitor/core/base/newton_options.h"
 #include "tether_monitor/core/base/solve_report.h"
-#include "tether_monitor/core/cable/cable_state.h"
-#include "tether_monitor/core/cable/end_trajectory.h"
 
 namespace tether_monitor::core
 {
 /**
- * One implicit time step of a tether with all that moves with it: ends that are held on given paths or fixed to
- * simulated bodies, obstacles that it pushes, contact, pay-out.
+ * One implicit time step of a tether with all that moves with it: ends that are held on given trajectories or
+ * fixed to simulated bodies, movable obstacles, contact, pay-out.
  *
  * Model: generalised-alpha in the form of Arnold & Brüls (2007), doi:10.1007/s11044-007-9084-0, (M12) of
  * doc/model.md: the equations of motion hold at the end of the step, so end forces are their residual there (M13),
@@ -33,28 +29,21 @@ class GeneralizedAlpha
   /**
    * Steps `state` from state.time to state.time + h.
    *
-   * @param model  takes the deployed length of the end of the step, if it is told.
    * @param h      step [s], > 0.
-   * @param state  in and out; unchanged unless the report says converged. After initializeContact().
+   * @param state  in and out, its deployment included; unchanged unless the report says converged. After
+   *               initializeContact().
    * @return       iterations of this step, status and residual.
    */
-  SolveReport step(CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
+  SolveReport step(const CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
 
   /// Sets all accelerations so that the equations of motion hold at state.time, for a motion that begins there.
-  SolveReport initialiseAcceleration(CableModel& model, const BoundaryConditions& ends, CableState& state);
+  SolveReport initializeAcceleration(const CableModel& model, const BoundaryConditions& ends, CableState& state);
 
   /// Takes memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
   const NewtonOptions& options() const { return options_; }
 
  private:
-  // A body that moves with the tether: how it couples, and its rotation over the step.
-  struct RotationIncrement
-  {
-    CondensedBody coupling;
-    Vector3 rotation_increment = Vector3::Zero();
-  };
-
   // The residual alone, or with one of the tangents of TangentKind.
   enum class AssemblyMode
   {
@@ -64,22 +53,28 @@ class GeneralizedAlpha
   };
 
   void predict(const CableModel& model, const BoundaryConditions& ends, double h, const CableState& state);
+  template <typename Value>
+  void predictAcceleration(const Value& a, const Value& from_algorithmic, double growth, Value& to_a,
+                           Value& to_algorithmic) const;
+  void predictAttitude(const AttitudeState& from, double growth, double h, AttitudeState& to, Vector3& rotation);
+  void predictObstacles(const CableState& state, double growth, double h);
 
   // Residual and iteration matrix of everything at the trial state, ready to be solved.
-  ResidualSize assemble(const CableModel& model, const BoundaryConditions& ends, const TangentWeights& weights,
-                        AssemblyMode wanted);
+  ResidualSize assemble(const BoundaryConditions& ends, const TangentWeights& weights, AssemblyMode mode);
   bool solve();
-  void correct(const CableModel& model, const TangentWeights& weights, double scale, const CableState& state);
+  void correct(const TangentWeights& weights, double scale, const CableState& state);
+  void accept(int iterations, CableState& state);
 
   double alpha_m_, alpha_f_, beta_, gamma_;
   NewtonOptions options_;
+  DeployedCable cable_;  // at the trial state
   CableState trial_;
   NodeField residual_;
   BlockTridiagonal tangent_;
-  const kernel::Kernel* kernel_ = nullptr;
-  RotationIncrement vessel_, vehicle_;
+  CondensedEndBodies bodies_;
+  Vector3 vessel_rotation_ = Vector3::Zero(), vehicle_rotation_ = Vector3::Zero();  // increments over the step
   BorderedSystem bordered_;
-  std::vector<int> movable_obstacles_;  // obstacles with a mass
+  std::vector<int> movable_obstacles_;  // those with a mass
 };
 
 }  // namespace tether_monitor::core

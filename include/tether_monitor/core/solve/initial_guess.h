@@ -1,37 +1,12 @@
 #pragma once
 
-#include "tether_monitor/core/assembly/cable_model.h"
+#include "tether_monitor/core/assembly/deployed_cable.h"
 
 namespace tether_monitor::core
 {
 /// Weight and drag per metre [N/m] on a straight tether along the chord, averaged over its depth.
-Vector3 netLoad(const CableModel& model, const Vector3& vessel, const Vector3& vehicle, const Vector3& velocity);
-
-/// A plane catenary of given length between two points under a uniform load, inextensible. (M15) of doc/model.md.
-class Catenary
-{
- public:
-  /**
-   * @param from, to  the two ends [m]; a chord longer than `length` gives the straight line between them.
-   * @param length    [m], > 0.
-   * @param load      load per metre [N/m]; only its direction counts. Zero: straight down.
-   * @param least_radius  [m], >= 0: a bight that would be tighter is opened until it is not; position(length) then
-   *                      misses `to`.
-   */
-  Catenary(const Vector3& from, const Vector3& to, double length, const Vector3& load, double least_radius = 0.0);
-
-  /// Position at arc length s from `from`, 0 <= s <= length [m].
-  Vector3 position(double s) const;
-  /// Unit tangent at arc length s; on a straight line, the direction of the chord.
-  Vector3 tangent(double s) const;
-
- private:
-  Vector3 from_, along_, down_;  // span direction and load direction, unit vectors
-  Vector3 chord_;
-  double length_;
-  double parameter_ = 0.0;  // a [m]; 0 for a straight line
-  double vertex_ = 0.0;     // arc length from `from` to the lowest point [m]
-};
+Vector3 netLoad(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle,
+                const Vector3& velocity);
 
 /**
  * A starting curve for the steady state: a catenary bowed along the net load (weight and drag), never through
@@ -41,7 +16,7 @@ class Catenary
  * @param velocity         common velocity of both ends [m/s].
  * @return                 coordinates of every node.
  */
-NodeField catenaryGuess(const CableModel& model, const Vector3& vessel, const Vector3& vehicle,
+NodeField catenaryGuess(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle,
                         const Vector3& velocity);
 
 /**
@@ -52,7 +27,7 @@ NodeField catenaryGuess(const CableModel& model, const Vector3& vessel, const Ve
  * @param vessel    position of the vessel end [m].
  * @param velocity  common velocity of both ends [m/s].
  */
-NodeField hangingBodyGuess(const CableModel& model, const Vector3& vessel, const Vector3& velocity,
+NodeField hangingBodyGuess(const DeployedCable& cable, const Vector3& vessel, const Vector3& velocity,
                            const RigidBody& body);
 
 }  // namespace tether_monitor::core

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tether_monitor/core/cable/payout_trajectory.h"
+
+namespace tether_monitor::core
+{
+/// What changes of a tether's elements while it is in use. Default: as built.
+struct Deployment
+{
+  std::optional<PayoutState> payout;  ///< deployed length and its rates; none: at rest, as long as it was built.
+  std::vector<double> drag_factor;    ///< on the normal drag of every element [-], >= 1, for vortex-induced
+                                      ///< vibration; empty: 1.
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(payout, drag_factor);
+  }
+};
+
+inline bool operator==(const Deployment& a, const Deployment& b)
+{
+  return a.payout == b.payout && a.drag_factor == b.drag_factor;
+}
+
+}  // namespace tether_monitor::core

@@ -1,0 +1,188 @@
+#include "tether_monitor/core/assembly/deployed_cable.h"
+
+#include <algorithm>
+
+#include "tether_monitor/core/base/gravity.h"
+#include "tether_monitor/core/element/slack_regularisation.h"
+
+namespace tether_monitor::core
+{
+namespace
+{
+ElementParameters elementParameters(const CableProperties& p, double length, double gravity)
+{
+  const SlackRegularisation small = slackRegularisation(p, length, gravity);
+  ElementParameters e;
+  e.length = length;
+  e.diameter = p.diameter;
+  e.mass = p.mass_per_length;
+  e.area = p.displacedArea();
+  e.drag_normal = p.drag_normal;
+  e.drag_tangential = p.drag_tangential;
+  e.added_mass = p.added_mass_normal;
+  e.compression = p.hydrostatic_compression;
+  e.natural_stretch = 1.0 + p.permanent_elongation;
+  e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.compression_stiffness_ratio};
+  e.bending_stiffness = small.bending_stiffness;
+  return e;
+}
+}  // namespace
+
+DeployedCable::DeployedCable(const CableModel& model, const Deployment& deployment)
+  : model_(model), deployment_(deployment), assembler_(model.elements())
+{
+  deployment_.drag_factor.reserve(model.elements());
+  setElements();
+}
+
+void DeployedCable::update(const CableModel& model, const Deployment& deployment)
+{
+  const bool same_elements = !stiffened_ && model.sharesTether(model_) && deployment == deployment_ &&
+                             model.environment().gravity() == environment().gravity();
+  if (!model.isSame(model_))
+    model_ = model;
+  if (same_elements)
+    return;
+  if (model.elements() != elements())
+    assembler_ = ElementAssembler(model.elements());
+  deployment_ = deployment;
+  setElements();
+}
+
+void DeployedCable::setElement(int i, double growing, double& covered)
+{
+  const CableMesh& mesh = model_.mesh();
+  const double gravity = environment().gravity();
+  ElementParameters& e = elements_[i];
+  if (i < mesh.growingElements() && deployment_.payout)
+  {
+    const PayoutState& payout = *deployment_.payout;
+    const double fraction = mesh.growingFraction(i);
+    CableProperties material = model_.elementProperties(i);
+    material.length = payout.length;
+    e = elementParameters(material, fraction * growing, gravity);
+    AxialTransport& transport = e.transport;  // (M24)
+    transport.active = payout.rate != 0.0 || payout.acceleration != 0.0;
+    transport.growth = payout.rate / growing;
+    transport.acceleration = payout.acceleration / growing;
+    transport.speed_a = payout.rate * (1.0 - covered);
+    transport.rate_a = payout.acceleration * (1.0 - covered);
+    covered += fraction;
+    transport.speed_b = payout.rate * (1.0 - covered);
+    transport.rate_b = payout.acceleration * (1.0 - covered);
+    arc_length_[i + 1] = arc_length_[i] + e.length;
+  }
+  else
+  {
+    e = elementParameters(model_.elementProperties(i), mesh.elementLength(i), gravity);
+    arc_length_[i + 1] = mesh.arcLength(i + 1) + model_.length(deployment_) - model_.length();
+  }
+  if (!deployment_.drag_factor.empty())
+    e.drag_normal *= deployment_.drag_factor[i];
+}
+
+void DeployedCable::setElements()
+{
+  stiffened_ = false;
+  elements_.resize(model_.elements());
+  arc_length_.resize(model_.nodes());
+  arc_length_.front() = 0.0;
+  const double growing = model_.length(deployment_) - model_.mesh().fixedLength();
+  double covered = 0.0;  // fraction of the growing piece before an element
+  for (int i = 0; i < elements(); ++i)
+  {
+    setElement(i, growing, covered);
+    assembler_.set(i, elements_[i]);
+  }
+  arc_length_.back() = model_.length(deployment_);
+  updateScales();
+}
+
+void DeployedCable::updateScales()
+{
+  mass_ = largest_stiffness_ = 0.0;
+  for (const ElementParameters& e : elements_)
+  {
+    mass_ += e.length * e.mass;
+    largest_stiffness_ = std::max(largest_stiffness_, e.axial.stiffness / e.length);
+  }
+  for (const LumpedAttachment& attachment : model_.lumpedAttachments())
+    mass_ += attachment.mass;
+  force_scale_ = STANDARD_GRAVITY * std::max(1.0, mass_);
+}
+
+void DeployedCable::stiffen(double floor)
+{
+  stiffened_ = true;
+  for (int i = 0; i < elements(); ++i)
+  {
+    ElementParameters& e = elements_[i];
+    const double EI = floor * e.mass * STANDARD_GRAVITY * e.length * e.length * e.length;
+    e.bending_stiffness = std::max(EI, e.bending_stiffness);
+    assembler_.set(i, e);
+  }
+}
+
+void DeployedCable::assemble(const CableState& state, NodeField& residual) const
+{
+  for (NodeCoords& row : residual)
+    row.setZero();
+  std::array<ElementCoords, kernel::BLOCK> parts;
+  for (int first = 0; first < elements(); first += kernel::BLOCK)
+  {
+    const int count = std::min(kernel::BLOCK, elements() - first);
+    assembler_.residuals(model_.kernel(), environment(), state, first, count, parts.data());
+    for (int i = 0; i < count; ++i)
+    {
+      residual[first + i] += parts[i].head<6>();
+      residual[first + i + 1] += parts[i].tail<6>();
+    }
+  }
+  for (const LumpedAttachment& attachment : model_.lumpedAttachments())
+    addLumpedAttachment(attachment, environment(), state, residual);
+  if (environment().hasContact())
+    addContact(contactScene(state), TangentWeights{}, residual, nullptr, nullptr);
+}
+
+void DeployedCable::assemble(const CableState& state, const TangentWeights& weights, NodeField& residual,
+                             BlockTridiagonal& tangent, TangentKind kind, BorderedSystem* bordered) const
+{
+  assembler_.assemble(model_.kernel(), environment(), state, weights, kind, residual, tangent);
+  for (const LumpedAttachment& attachment : model_.lumpedAttachments())
+    addLumpedAttachment(attachment, environment(), state, weights, residual, tangent);
+  if (environment().hasContact())
+    addContact(contactScene(state), weights, residual, &tangent, bordered);
+}
+
+int DeployedCable::elementResiduals(int first, const CableState& state,
+                                    std::array<ElementCoords, kernel::BLOCK>& out) const
+{
+  const int count = std::min(kernel::BLOCK, elements() - first);
+  assembler_.residuals(model_.kernel(), environment(), state, first, count, out.data());
+  if (environment().hasContact())
+    for (int i = 0; i < count; ++i)
+      out[i] += elementContact(contactScene(state), first + i);
+  return count;
+}
+
+ElementEnergy DeployedCable::energy(const NodeField& q, const NodeField& v) const
+{
+  ElementEnergy sum{0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < elements(); ++i)
+  {
+    const ElementEnergy e =
+        elementEnergy(elements_[i], environment().gravity(), elementCoords(q, i), elementCoords(v, i));
+    sum.axial += e.axial;
+    sum.bending += e.bending;
+    sum.kinetic += e.kinetic;
+    sum.weight += e.weight;
+  }
+  return sum;
+}
+
+void initializeContact(const CableModel& model, CableState& state)
+{
+  DeployedCable(model, state.deployment).initializeContact(state);
+}
+
+}  // namespace tether_monitor::core
