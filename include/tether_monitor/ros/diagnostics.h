@@ -25,9 +25,6 @@ struct DiagnosticInputs
   monitor::VibrationReport vibration;  ///< of the last look.
 };
 
-/// Likely cause of a reason, and what to do about it, in a sentence.
-std::string advice(monitor::Reason reason);
-
 /// Fills a status with level, summary, numbers, likely cause and advice.
 void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& facts,
               diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -13,24 +13,6 @@ void add(const std::vector<std::string>& more, std::vector<std::string>& all)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-std::vector<std::string> validate(const std::string& name, const AlarmConfig& alarm, Side side)
-{
-  core::BoundsCheck check("monitor.alarms." + name + ".");
-  check.notNegative("on_delay", alarm.timing.on_delay, "s");
-  check.notNegative("off_delay", alarm.timing.off_delay, "s");
-  check.notNegative("deadband", alarm.timing.deadband, "in the unit of the limit");
-  if (alarm.limit)
-    check.finite("limit", *alarm.limit, "the unit of the quantity");
-  if (alarm.warning)
-  {
-    const bool ordered =
-        !alarm.limit || (side == Side::ABOVE ? *alarm.warning <= *alarm.limit : *alarm.warning >= *alarm.limit);
-    check.check(std::isfinite(*alarm.warning) && ordered, "warning", *alarm.warning,
-                side == Side::ABOVE ? "<= limit" : ">= limit");
-  }
-  return check.problems();
-}
-
 std::vector<std::string> validate(const NavigationConfig& n)
 {
   core::BoundsCheck check("vehicle.");
@@ -88,12 +70,6 @@ std::vector<std::string> validate(const Config& c)
   levers.finite("vehicle.attachment (norm)", c.vehicle.attachment.norm(), "m");
   levers.check(!c.world_frame.empty(), "world_frame (number of characters)", 0, "a frame's name");
   add(levers.problems(), all);
-
-  add(validate("over_tension", c.alarms.over_tension, Side::ABOVE), all);
-  add(validate("breaking", c.alarms.breaking, Side::ABOVE), all);
-  add(validate("slack", c.alarms.slack, Side::BELOW), all);
-  add(validate("bend_radius", c.alarms.bend_radius, Side::BELOW), all);
-  add(validate("stale_input", c.alarms.stale_input, Side::ABOVE), all);
   return all;
 }
 

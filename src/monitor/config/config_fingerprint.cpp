@@ -8,55 +8,50 @@ namespace
 {
 using core::BinaryWriter;
 
-void add(core::CableProperties p, BinaryWriter& to)
+void add(const core::CableProperties& p, BinaryWriter& to)
 {
   to(p.length, p.diameter, p.mass_per_length, p.axial_stiffness, p.bending_stiffness, p.axial_damping,
      p.drag_normal, p.drag_tangential, p.added_mass_normal, p.hydrostatic_compression, p.permanent_elongation,
      p.working_load, p.breaking_load, p.load_area, p.min_bend_radius);
 }
 
-void add(core::CableLayout layout, BinaryWriter& to)
+void add(const core::CableLayout& layout, BinaryWriter& to)
 {
-  for (core::CableSection& section : layout.sections)
+  for (const core::CableSection& section : layout.sections)
   {
     to(section.from, section.to);
     add(section.properties, to);
   }
-  for (core::Attachment& a : layout.attachments)
+  for (const core::Attachment& a : layout.attachments)
     to(a.s, a.mass, a.volume, a.drag_area);
 }
 
-void add(core::Environment sea, BinaryWriter& to)
+void add(const core::Environment& sea, BinaryWriter& to)
 {
-  core::WaveProperties& waves = sea.waves;
+  const core::WaveProperties& waves = sea.waves;
   to(sea.water_density, sea.gravity, waves.amplitude, waves.length, waves.direction, waves.phase, sea.wind);
-  bool has_seabed = sea.seabed.has_value();
+  const bool has_seabed = sea.seabed.has_value();
   to(has_seabed);
   if (has_seabed)
     to(sea.seabed->normal_stiffness, sea.seabed->damping, sea.seabed->friction);
 }
 
-void add(core::RigidBody body, BinaryWriter& to)
+void add(const core::RigidBody& body, BinaryWriter& to)
 {
   to(body.mass, body.volume, body.inertia, body.drag_area, body.added_mass, body.added_inertia,
      body.rotational_drag, body.center_of_buoyancy, body.force);
 }
 
-void add(NavigationConfig n, BinaryWriter& to)
+void add(const NavigationConfig& n, BinaryWriter& to)
 {
   to(n.gains, n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
      n.invalid_stddev);
-}
-
-void add(AlarmConfig alarm, BinaryWriter& to)
-{
-  to(alarm.warning, alarm.limit);
 }
 }  // namespace
 
 std::uint64_t fingerprint(const Config& config)
 {
-  Config c = config;
+  const Config& c = config;
   BinaryWriter to;
   add(c.tether, to);
   add(c.layout, to);
@@ -73,9 +68,8 @@ std::uint64_t fingerprint(const Config& config)
     to(c.elements);
   to(c.solver.step, c.solver.spectral_radius, c.solver.max_halvings, c.solver.max_iterations, c.solver.scheme,
      c.solver.corrections, c.solver.courant, c.solver.newton.relative_tolerance, c.solver.newton.max_iterations);
-  for (AlarmConfig* alarm :
-       {&c.alarms.over_tension, &c.alarms.breaking, &c.alarms.slack, &c.alarms.bend_radius, &c.alarms.stale_input})
-    add(*alarm, to);
+  for (const auto& [name, alarm] : config.alarms)
+    to(name, alarm);
   return core::checksum(to.bytes());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tether_monitor::monitor
 {
@@ -19,7 +20,7 @@ double angleBelow(const core::Vector3& direction)
 }
 }  // namespace
 
-void summarize(const core::CableModel& model, TetherEstimate& e)
+void summarize(const core::DeployedCable& cable, TetherEstimate& e)
 {
   const core::StationProfile& at = e.stations;
   const auto most = std::max_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
@@ -35,26 +36,26 @@ void summarize(const core::CableModel& model, TetherEstimate& e)
   e.vessel_tension = at.ends.vessel.norm();
   e.vehicle_tension = at.ends.vehicle.norm();
   e.working_utilisation = e.breaking_utilisation = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
     for (int k = 2 * i; k <= 2 * i + 2; ++k)
     {
-      const double working = at.tension[k] / model.elementProperties(i).working_load;
+      const double working = at.tension[k] / cable.model().elementProperties(i).working_load;
       e.breaking_utilisation =
-          std::max(e.breaking_utilisation, at.tension[k] / model.elementProperties(i).breaking_load);
+          std::max(e.breaking_utilisation, at.tension[k] / cable.model().elementProperties(i).breaking_load);
       if (working > e.working_utilisation)
       {
         e.working_utilisation = working;
         e.working_utilisation_s = at.s[k];
       }
     }
-  const double reference = model.bendLimit().value_or(1.0);
+  const double reference = cable.model().bendLimit().value_or(1.0);
   e.governing_bend_radius = std::numeric_limits<double>::infinity();
   e.governing_bend_radius_s = e.min_bend_radius_s;
-  for (int i = 0; i < model.elements(); ++i)
+  for (int i = 0; i < cable.elements(); ++i)
     for (int k = 2 * i; k <= 2 * i + 2; ++k)
     {
       const double scaled =
-          at.bend_radius[k] * reference / model.elementProperties(i).min_bend_radius.value_or(reference);
+          at.bend_radius[k] * reference / cable.model().elementProperties(i).min_bend_radius.value_or(reference);
       if (scaled < e.governing_bend_radius)
       {
         e.governing_bend_radius = scaled;
@@ -65,28 +66,28 @@ void summarize(const core::CableModel& model, TetherEstimate& e)
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
 
-void describeContact(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+void describeContact(const core::DeployedCable& cable, const core::CableState& state,
                      TetherEstimate& e)
 {
-  core::summarizeContact(model, state, e.contact);
+  core::summarizeContact(cable, state, e.contact);
   e.seabed_contact_length = e.contact.seabed_length;
   e.touchdown_s = e.contact.touchdown_s < 0.0 ? TetherEstimate::NONE : e.contact.touchdown_s;
   for (core::ContactSummary::ObstacleContact& touch : e.contact.obstacles)
-    touch.place += origin;
+    touch.place += cable.environment().origin();
 }
 
-void describeVehicle(const core::CableModel& model, const core::CableState& state, const core::Vector3& origin,
+void describeVehicle(const core::DeployedCable& cable, const core::CableState& state,
                      TetherEstimate& e)
 {
   e.has_vehicle = true;
-  e.vehicle = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, model.bodies().vehicle->attachment);
-  e.vehicle.position += origin;
+  e.vehicle = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, cable.bodies().vehicle->attachment);
+  e.vehicle.position += cable.environment().origin();
 }
 
-Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
+Reason modelRange(const core::DeployedCable& cable, const TetherEstimate& e)
 {
-  for (int i = 0; i < model.elements(); ++i)
-    if (-e.stations.position[2 * i + 1].z() * model.element(i).compression > LARGEST_COMPRESSION)
+  for (int i = 0; i < cable.elements(); ++i)
+    if (-e.stations.position[2 * i + 1].z() * cable.element(i).compression > LARGEST_COMPRESSION)
       return Reason::OUT_OF_RANGE;
   const auto [least, most] = std::minmax_element(e.stations.strain.begin(), e.stations.strain.end());
   if (e.breaking_utilisation > 1.0 || *most > LARGEST_STRAIN)
@@ -97,21 +98,18 @@ Reason modelRange(const core::CableModel& model, const TetherEstimate& e)
 
 void invalidate(Reason reason, TetherEstimate& e)
 {
-  constexpr double NONE = TetherEstimate::NONE;
-  e.status = Status::INVALID;
-  e.reason = reason;
-  e.has_stations = false;
-  e.length = e.max_tension = e.max_tension_s = e.min_tension = e.min_tension_s = NONE;
-  e.working_utilisation_s = NONE;
-  e.vessel_tension = e.vehicle_tension = e.working_utilisation = e.breaking_utilisation = NONE;
-  e.min_bend_radius = e.min_bend_radius_s = e.vessel_end_angle = e.vehicle_end_angle = NONE;
-  e.seabed_contact_length = e.touchdown_s = e.governing_bend_radius = e.governing_bend_radius_s = NONE;
-  e.has_vehicle = false;
-  e.vessel_tension_stddev = e.vehicle_tension_stddev = e.vehicle_position_stddev = NONE;
-  e.vehicle_velocity_stddev = e.disturbance_stddev = NONE;
-  e.disturbance.setConstant(NONE);
-  for (core::ContactSummary::ObstacleContact& touch : e.contact.obstacles)
+  TetherEstimate empty;
+  empty.time = e.time;
+  empty.reason = reason;
+  empty.vessel_age = e.vessel_age;
+  empty.vehicle_age = e.vehicle_age;
+  empty.vehicle_overdue = e.vehicle_overdue;
+  empty.payout_age = e.payout_age;
+  std::swap(empty.stations, e.stations);
+  empty.contact.obstacles.swap(e.contact.obstacles);
+  for (core::ContactSummary::ObstacleContact& touch : empty.contact.obstacles)
     touch = core::ContactSummary::ObstacleContact();
+  e = std::move(empty);
 }
 
 }  // namespace tether_monitor::monitor

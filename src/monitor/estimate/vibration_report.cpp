@@ -9,17 +9,15 @@ namespace
 constexpr double NEAR = 0.15;  // relative distance of frequencies that resonate
 }
 
-VibrationReport reportVibration(const TetherEstimator& estimator, int modes)
+VibrationReport reportVibration(const core::CableModel& model, const core::CableState& state,
+                                const core::VortexShedding& vortex_shedding, int modes)
 {
   VibrationReport report;
-  if (!estimator.estimate().has_stations || !estimator.isSettled())
-    return report;
-  const core::CableState& state = estimator.state();
-  report.strumming = estimator.strumming();
-  report.modes = core::naturalModes(estimator.model(), state, modes);
+  report.vortex_shedding = vortex_shedding;
+  report.modes = core::naturalModes(model, state, modes);
   for (core::Mode& mode : report.modes)
     mode.shape.clear();
-  const core::AiryWave& wave = estimator.model().sea().wave();
+  const core::AiryWave& wave = model.environment().wave();
   if (wave.isCalm())
     return report;
   report.encounter_frequency = wave.encounterFrequency(state.v.front().head<3>()) / (2.0 * M_PI);

@@ -1,31 +1,90 @@
-#include <algorithm>
+#include "tether_monitor/monitor/estimator/estimator_snapshot.h"
+
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "tether_monitor/core/base/binary_archive.h"
 #include "tether_monitor/monitor/config/config_fingerprint.h"
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/monitor/model/model_factory.h"
 
 namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 3";
+const char* const FORMAT = "tether_monitor state 4";
+
+// What has become of a model since it was made of the configuration.
+struct ModelChanges
+{
+  double built_length = 0.0;  // [m]
+  core::MeshSelection mesh;
+  std::optional<MeshPurpose> mesh_purpose;
+  std::vector<core::CurrentProfile::Sample> current;
+  std::vector<core::Obstacle> obstacles;
+  std::optional<double> depth;  // [m]
+  double time_origin = 0.0;     // [s]
+  core::Vector3 origin = core::Vector3::Zero();
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(built_length, mesh, mesh_purpose, current, obstacles, depth, time_origin, origin);
+  }
+};
 
 // What stands before the members of an estimator.
 struct Header
 {
   std::string format = FORMAT;
   std::uint64_t configuration = 0;
-  ModelSnapshot model;
-  core::MeshSelection mesh;
+  ModelChanges model;
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(format, configuration, model, mesh);
+    a(format, configuration, model);
   }
 };
+
+ModelChanges changesOf(const CableSimulation& simulation)
+{
+  const core::EnvironmentModel& sea = simulation.model.environment();
+  return {simulation.model.length(), simulation.mesh,      simulation.mesh_purpose,
+          sea.current().samples(),   sea.obstacles(),      simulation.reported_depth,
+          sea.timeOrigin(),          simulation.origin()};
+}
+
+bool arePossible(const ModelChanges& changes, const Config& config)
+{
+  bool are = std::isfinite(changes.mesh.step) && changes.mesh.step > 0.0 &&
+             (config.accuracy || changes.mesh.elements == config.elements) &&
+             canMesh(config, changes.built_length, changes.mesh.elements) && std::isfinite(changes.time_origin) &&
+             changes.origin.allFinite() && core::validate(changes.current).empty();
+  for (const core::Obstacle& obstacle : changes.obstacles)
+    are = are && core::validate(obstacle, "").empty();
+  return are;
+}
+
+std::optional<core::CableModel> makeModel(const Config& config, const ModelChanges& changes)
+{
+  if (!arePossible(changes, config))
+    return std::nullopt;
+  core::Environment sea = config.environment;
+  sea.current = core::CurrentProfile(changes.current);
+  sea.obstacles = changes.obstacles;
+  if (changes.depth && !sea.seabed)
+    return std::nullopt;
+  if (changes.depth)
+    sea.seabed->depth = *changes.depth;
+  if (!core::validate(sea).empty())
+    return std::nullopt;
+  core::EnvironmentModel environment =
+      core::EnvironmentModel(sea).withOrigin(changes.origin).withTimeOrigin(changes.time_origin);
+  if (changes.depth)
+    environment = environment.withDepth(*changes.depth);
+  return makeModel(config, changes.built_length, changes.mesh.elements).withEnvironment(environment);
+}
 
 // An estimate that the model can be written into.
 bool fits(const TetherEstimate& e, const core::CableModel& model)
@@ -35,56 +94,62 @@ bool fits(const TetherEstimate& e, const core::CableModel& model)
   for (const std::vector<double>* values : {&f.s, &f.tension, &f.strain, &f.stress, &f.bend_radius})
     if (values->size() != stations)
       return false;
-  return f.position.size() == stations && e.contact.obstacles.size() == model.environment().obstacles.size() &&
-         e.status >= Status::OK && e.status <= Status::INVALID && std::string(describe(e.reason)) != "unknown";
+  return f.position.size() == stations && e.contact.obstacles.size() == model.environment().obstacles().size() &&
+         e.status >= Status::OK && e.status <= Status::INVALID && std::string(describe(e.reason)) != "UNKNOWN";
+}
+
+void setModel(const core::CableModel& model, const ModelChanges& changes, CableSimulation& simulation)
+{
+  simulation.setModel(model, changes.mesh);
+  simulation.mesh_purpose = changes.mesh_purpose;
+  simulation.reported_depth = changes.depth;
 }
 }  // namespace
 
-std::vector<std::uint8_t> TetherEstimator::save() const
+std::vector<std::uint8_t> EstimatorSnapshot::save(const TetherEstimator& estimator)
 {
-  TetherEstimator copy = *this;  // an archive takes what it lists by reference
   Header header;
-  header.configuration = fingerprint(config_);
-  header.model = snapshotOf(model_);
-  header.mesh = mesh_;
+  header.configuration = fingerprint(estimator.config_);
+  header.model = changesOf(estimator.simulation_);
   core::BinaryWriter writer;
-  writer(header, copy);
+  writer(header, estimator);
   std::vector<std::uint8_t> bytes = writer.bytes();
   core::appendChecksum(bytes);
   return bytes;
 }
 
-bool TetherEstimator::restore(const std::vector<std::uint8_t>& sealed)
+bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherEstimator& estimator)
 {
   std::vector<std::uint8_t> bytes = sealed;
   if (!core::verifyChecksum(bytes))
     return false;
   Header header;
-  core::BinaryReader first(bytes);
-  first(header);
-  const bool is_mine = first.ok() && header.format == FORMAT && header.configuration == fingerprint(config_) &&
-                       std::isfinite(header.mesh.step) && header.mesh.step > 0.0 &&
-                       header.mesh.elements == header.model.elements &&
-                       (config_.accuracy || header.mesh.elements == config_.elements);
-  std::optional<core::CableModel> model = is_mine ? restoreModel(config_, header.model) : std::nullopt;
+  core::BinaryReader reader(bytes);
+  reader(header);
+  if (!reader.ok() || header.format != FORMAT || header.configuration != fingerprint(estimator.config_))
+    return false;
+  const std::optional<core::CableModel> model = makeModel(estimator.config_, header.model);
   if (!model)
     return false;
-  TetherEstimator copy = *this;
-  first(copy);
+  TetherEstimator copy = estimator;
+  setModel(*model, header.model, copy.simulation_);
+  copy.vehicle_->prepare(*model);
+  reader(copy);
+  const core::CableState& state = copy.simulation_.state;
   const bool is_sound =
-      first.finished() && fits(copy.estimate_, *model) && copy.vessel_.isValid() && copy.vehicle_.isValid() &&
-      copy.payout_.isValid() && copy.vessel_filter_.isValid() && copy.observer_.isValid(*model, observer_) &&
-      (!copy.settled_ || (isStateOf(copy.state_, *model) && copy.state_.time == copy.estimate_.time));
-  if (!is_sound || (copy.told_depth_ && !copy.setDepth(*copy.told_depth_)))
+      reader.finished() && fits(copy.estimate_, *model) && copy.phase_ >= Phase::IDLE &&
+      copy.phase_ <= Phase::RUNNING && copy.vessel_->isValid() && copy.vehicle_->isValid(*model) &&
+      copy.payout_.isValid() &&
+      (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate_.time));
+  if (!is_sound)
     return false;
-  if (copy.told_depth_)
-    model->sea().setDepth(*copy.told_depth_);
 
   // Once more into the members themselves: what they have reserved stays theirs.
-  rebuild(std::move(*model), header.mesh);
-  core::BinaryReader second(bytes);
-  second(header, *this);
-  stepper_.prepareObstacles(model_);
+  setModel(*model, header.model, estimator.simulation_);
+  estimator.vehicle_->prepare(*model);
+  core::BinaryReader again(bytes);
+  again(header, estimator);
+  estimator.simulation_.stepper.prepareObstacles(*model);
   return true;
 }
 

@@ -1,179 +1,177 @@
-#include <algorithm>
-#include <cmath>
+#include "tether_monitor/monitor/estimator/observed_vehicle_end.h"
 
-#include "tether_monitor/core/solve/dynamic_relaxation.h"
+#include <algorithm>
+
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
 
 namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double NO_ORIENTATION = 1.0;  // standard deviation of an orientation that was not measured [rad]
-constexpr double STARTING_PLACE = 0.1;  // standard deviations of a motion that was told [m, m/s]
-constexpr double STARTING_SPEED = 0.2;
-
-core::Vector3 orElse(const core::Vector3& told, double otherwise)
-{
-  core::Vector3 stddev = told;
-  for (int i = 0; i < 3; ++i)
-    if (!(stddev[i] > 0.0))
-      stddev[i] = otherwise;
-  return stddev;
-}
-
-core::Vector3 unmeasuredAsInfinite(core::Vector3 stddev)
-{
-  for (int i = 0; i < 3; ++i)
-    if (stddev[i] >= VesselMotionFilter::UNMEASURED)
-      stddev[i] = std::numeric_limits<double>::infinity();
-  return stddev;
-}
-
-// Good, if only for a filter that puts late ones in their place.
+// Good, if only for a history that puts late ones in their place.
 bool hasPlace(Rejection rejection)
 {
   return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
 }
+
+double largestTensionStddev(const TetherEstimate& e)
+{
+  return std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev);
+}
 }  // namespace
 
-Rejection TetherEstimator::addVessel(const PoseMeasurement& m)
+ObservedVehicleEnd::ObservedVehicleEnd(const Config& config)
+  : attachment_(config.vehicle.attachment),
+    navigation_(config.navigation),
+    pose_timeout_(config.pose_timeout),
+    invalid_timeout_(config.invalid_timeout),
+    working_load_(config.tether.working_load),
+    observer_(config, config.elements + 1)
 {
-  if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselMotionFilter::UNMEASURED)
-    return Rejection::NOT_MEASURED;
-  const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
-  const Eigen::Quaterniond orientation = turns ? m.orientation : vessel_.lastOrientation();
-  const Rejection rejection = vessel_.addPose(m.t, m.position, orientation);
-  if (!isVehicleObserved() || !hasPlace(rejection))
+}
+
+VehicleMeasurement ObservedVehicleEnd::positionFix(const PoseMeasurement& pose) const
+{
+  return {pose.t - navigation_.latency, VehicleMeasurement::Kind::POSITION,
+          pose.position.withDefaultStddev(navigation_.position_stddev)};
+}
+
+VehicleMeasurement ObservedVehicleEnd::velocityFix(const TwistMeasurement& twist) const
+{
+  return {twist.t - navigation_.latency, VehicleMeasurement::Kind::VELOCITY,
+          twist.velocity.withDefaultStddev(navigation_.velocity_stddev)};
+}
+
+Rejection ObservedVehicleEnd::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
+{
+  Rejection rejection = Rejection::NONE;
+  if (pose)
+    rejection =
+        track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+  if (pose && hasPlace(rejection) && !pose->position.isEmpty())
+    rejection = observer_.check(positionFix(*pose));
+  if (hasPlace(rejection) && twist)
+    rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+  if (twist && hasPlace(rejection) && !twist->velocity.isEmpty())
+    rejection = observer_.check(velocityFix(*twist));
+  return hasPlace(rejection) ? Rejection::NONE : rejection;
+}
+
+Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasurement* twist)
+{
+  const Rejection rejection = check(pose, twist);
+  if (rejection != Rejection::NONE)
     return rejection;
-  const core::Vector3 lever = orientation.normalized() * config_.vessel.attachment;
-  return vessel_filter_.addPosition(m.t, m.position + lever,
-                                    orElse(m.position_stddev, config_.vessel.position_stddev.value_or(0.0)));
+  if (pose)
+  {
+    const Rejection order =
+        track_.addPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+    if (pose->orientation && order == Rejection::NONE)
+      observer_.setAttitude(pose->orientation->normalized());
+    if (!pose->position.isEmpty())
+      observer_.add(positionFix(*pose));
+  }
+  if (twist)
+  {
+    track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+    if (!twist->velocity.isEmpty())
+      observer_.add(velocityFix(*twist));
+  }
+  return Rejection::NONE;
 }
 
-Rejection TetherEstimator::addVessel(const TwistMeasurement& m)
+void ObservedVehicleEnd::setThrust(double /*t*/, const core::Wrench& thrust)
 {
-  const Rejection rejection = vessel_.addTwist(m.t, m.velocity, m.angular_velocity);
-  if (!isVehicleObserved() || !hasPlace(rejection))
-    return rejection;
-  const core::Vector3 lever = vessel_.lastOrientation() * config_.vessel.attachment;
-  return vessel_filter_.addVelocity(m.t, m.velocity + m.angular_velocity.cross(lever),
-                                    orElse(m.velocity_stddev, config_.vessel.velocity_stddev.value_or(0.0)));
+  thrust_ = thrust;
 }
 
-Rejection TetherEstimator::addVehicle(const PoseMeasurement& m)
+void ObservedVehicleEnd::clear()
 {
-  if (!isVehicleObserved() && m.position_stddev.maxCoeff() >= VesselMotionFilter::UNMEASURED)
-    return Rejection::NOT_MEASURED;
-  const bool turns = !isVehicleObserved() || !(m.orientation_stddev > NO_ORIENTATION);
-  const Rejection rejection =
-      vehicle_.addPose(m.t, m.position, turns ? m.orientation : vehicle_.lastOrientation());
-  if (!isVehicleObserved() || !hasPlace(rejection))
-    return rejection;
-  if (turns && rejection == Rejection::NONE)
-    observer_.setAttitude(m.orientation.normalized());
-  const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.position_stddev, config_.navigation.position_stddev));
-  if (!(stddev.minCoeff() < VesselMotionFilter::UNMEASURED))
-    return Rejection::NONE;  // an attitude alone
-  return observer_.add({m.t - config_.navigation.latency, VehicleMeasurement::Kind::POSITION, m.position, stddev});
+  track_.clear();
+  observer_.clear();
+  thrust_ = core::Wrench();
 }
 
-Rejection TetherEstimator::addVehicle(const TwistMeasurement& m)
+double ObservedVehicleEnd::overdue(double age) const
 {
-  const Rejection rejection = vehicle_.addTwist(m.t, m.velocity, m.angular_velocity);
-  if (!isVehicleObserved() || !hasPlace(rejection))
-    return rejection;
-  const core::Vector3 stddev = unmeasuredAsInfinite(orElse(m.velocity_stddev, config_.navigation.velocity_stddev));
-  return observer_.add({m.t - config_.navigation.latency, VehicleMeasurement::Kind::VELOCITY, m.velocity, stddev});
+  return std::max(observer_.overdueTime(age), 0.0);
 }
 
-void TetherEstimator::setInitialVesselMotion(double t, const BodyState& vessel)
+void ObservedVehicleEnd::aimAtStart(double t, EndTargets& targets)
 {
-  vessel_filter_.start(t, vessel.attachmentPoint(config_.vessel.attachment), STARTING_PLACE, STARTING_SPEED);
-}
-
-double TetherEstimator::observedAge(double t) const
-{
-  return settled_ ? observer_.age(t) : observer_.measuredAge(t);
-}
-
-bool TetherEstimator::canBegin(double t) const
-{
-  if (!isVehicleObserved())
-    return vessel_.hasPose() && (isVehicleFree() || vehicle_.hasPose());
-  return vessel_filter_.isReady(t) && observer_.isReady(t);
-}
-
-void TetherEstimator::aimAtObserved(double t, EndTargets& targets)
-{
-  const VesselMotionFilter::Motion vessel = vessel_filter_.blend(t);
-  targets.vessel = vessel.end;
-  targets.vessel_age = vessel_filter_.age(t);
-  targets.vessel_stddev = vessel.position_stddev;
-  targets.vessel_error_rate = VesselMotionFilter::errorRate(vessel);
-  targets.vehicle_age = observedAge(t);
-  if (settled_)
-    return;
-  // A steady state has no waves: it begins on the vessel's way and fades into its motion.
-  targets.vessel = vessel_filter_.estimateTrack(t);
-  vessel_filter_.startBlending(t, targets.vessel);
   const core::Vector3& velocity = targets.vessel.velocity;
-  const core::Vector3 place = observer_.initialPositionEstimate(t, velocity).value_or(targets.vessel.position);
-  targets.vehicle = {place + vehicle_.lastOrientation() * config_.vehicle.attachment, velocity};
+  targets.vehicle_age = observer_.measuredAge(t);
+  const std::optional<MeasuredVector> measured = observer_.initialPositionEstimate(t, velocity);
+  const core::Vector3 place = measured ? measured->value() : targets.vessel.position;
+  targets.vehicle = {place + track_.lastOrientation() * attachment_, velocity};
+  if (measured)
+    targets.vehicle_covariance = measured->covariance();
 }
 
-core::SolveReport TetherEstimator::initialize(const core::SteadyEnds& steady, core::NodeField& shape)
+core::SolveReport ObservedVehicleEnd::findStart(CableSimulation& simulation, const core::SteadyEnds& ends,
+                                                const EndTargets& targets, VehicleInitialization& start) const
 {
-  if (isVehicleObserved())
-    return observer_.initialize(statics_, model_, steady, vessel_filter_.trackVelocityStddev(),
-                                vehicle_.lastOrientation() * thrust_.force, shape);
-  return core::findSteadyState(statics_, model_, steady, shape);
+  const double variance = navigation_.position_stddev * navigation_.position_stddev;
+  const core::Matrix3 covariance = targets.vehicle_covariance.value_or(variance * core::Matrix3::Identity());
+  return observer_.initialize(simulation.steady_solver, simulation.model, ends, covariance,
+                              targets.vessel_velocity_stddev, thrustInWorld(), start);
 }
 
-core::SolveReport TetherEstimator::step(const core::BoundaryConditions& paths, const EndTargets& ends, double t)
+core::CableModel ObservedVehicleEnd::modelAtRest(const core::CableModel& model,
+                                                 const VehicleInitialization& start) const
 {
-  if (isVehicleObserved())
-    return observer_.advance(model_, stepper_, paths, ends.vessel_stddev, ends.vessel_error_rate, t, state_);
-  return stepper_.advance(model_, paths, t, state_);
+  return observer_.modelWithInitialForces(model, start, thrustInWorld());
 }
 
-double TetherEstimator::tensionStddev() const
+void ObservedVehicleEnd::begin(const VehicleInitialization& start, CableSimulation& simulation)
 {
-  return std::max(estimate_.vessel_tension_stddev, estimate_.vehicle_tension_stddev);
+  observer_.begin(simulation.model, start, simulation.state);
 }
 
-// What makes the numbers of an observed vehicle worthless, though it coasts on.
-Reason TetherEstimator::lackOf(double t) const
+core::SolveReport ObservedVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
+                                              CableSimulation& simulation)
 {
-  if (!isVehicleObserved())
-    return Reason::NONE;
-  if (observer_.overdueTime(observedAge(t)) > config_.invalid_timeout)
+  paths.vehicle_thrust = thrust_;
+  return observer_.advance(simulation.model, simulation.stepper, paths, targets.vessel_stddev,
+                           targets.vessel_error_rate, t, simulation.state);
+}
+
+void ObservedVehicleEnd::moveObstacle(std::size_t k, const CableSimulation& simulation)
+{
+  observer_.moveObstacle(k, simulation.state.obstacles[k], simulation.state.time);
+}
+
+void ObservedVehicleEnd::describe(CableSimulation& simulation, TetherEstimate& estimate) const
+{
+  describeVehicle(simulation.updatedCable(), simulation.state, estimate);
+  observer_.describe(estimate);
+}
+
+Reason ObservedVehicleEnd::invalidReason(const TetherEstimate& e, const EndTargets& targets) const
+{
+  if (observer_.overdueTime(observer_.age(e.time)) > invalid_timeout_)
     return Reason::VEHICLE_STALE;
-  const double stddev = tensionStddev() / config_.tether.working_load;
+  const double stddev = largestTensionStddev(e) / working_load_;
   // The waves are still to come, and nobody needs an alarm for what is missing of them.
-  if (vessel_filter_.isRampingUp(t) && stddev > config_.navigation.degraded_stddev)
+  if (targets.is_vessel_ramping_up && stddev > navigation_.degraded_stddev)
     return Reason::SETTLING;
-  return stddev <= config_.navigation.invalid_stddev ? Reason::NONE : Reason::UNCERTAIN;
+  return stddev <= navigation_.invalid_stddev ? Reason::NONE : Reason::UNCERTAIN;
 }
 
-// What makes them doubtful.
-Reason TetherEstimator::doubt(double t) const
+Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
 {
   if (observer_.exceedsTetherLength())
     return Reason::OUT_OF_RANGE;
-  if (observer_.isInconsistent(t))
+  if (observer_.isInconsistent(e.time))
     return Reason::DISAGREEMENT;
-  if (observer_.overdueTime(observedAge(t)) > config_.pose_timeout)
+  if (observer_.overdueTime(observer_.age(e.time)) > pose_timeout_)
     return Reason::VEHICLE_STALE;
-  return tensionStddev() > config_.navigation.degraded_stddev * config_.tether.working_load ? Reason::UNCERTAIN
-                                                                                            : Reason::NONE;
+  return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
 }
 
-const TetherEstimate& TetherEstimator::withhold(Reason reason)
+bool ObservedVehicleEnd::isValid(const core::CableModel& model) const
 {
-  invalidate(reason, estimate_);
-  alarms_changed_ = alarms_.update(estimate_);
-  return estimate_;
+  return track_.isValid() && observer_.isValid(model);
 }
 
 }  // namespace tether_monitor::monitor

@@ -1,66 +1,76 @@
+#include "tether_monitor/monitor/estimator/obstacle_tracker.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
-
 namespace tether_monitor::monitor
 {
-std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
+namespace
 {
-  std::vector<std::string> faults;
+std::vector<std::string> problems(const std::vector<core::Obstacle>& obstacles)
+{
+  std::vector<std::string> all;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
-    for (const std::string& fault : core::validate(obstacles[i], "obstacles[" + std::to_string(i) + "]."))
-      faults.push_back(fault);
+    for (const std::string& problem : core::validate(obstacles[i], "obstacles[" + std::to_string(i) + "]."))
+      all.push_back(problem);
+  return all;
+}
+
+// Whether the tether can keep its grip on them.
+bool areSameThings(const std::vector<core::Obstacle>& a, const std::vector<core::Obstacle>& b)
+{
+  const auto is_same = [](const core::Obstacle& x, const core::Obstacle& y)
+  { return x.name == y.name && (x.mass > 0.0) == (y.mass > 0.0); };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), is_same);
+}
+}  // namespace
+
+std::vector<std::string> ObstacleTracker::set(double t, const std::vector<core::Obstacle>& obstacles, bool running,
+                                              CableSimulation& simulation, VehicleEnd& vehicle)
+{
+  const std::vector<std::string> faults = problems(obstacles);
   if (!faults.empty())
     return faults;
   std::vector<core::Obstacle> now = obstacles;
-  if (settled_)
+  core::CableState& state = simulation.state;
+  if (running)
     for (core::Obstacle& obstacle : now)
-      obstacle.position += (state_.time - t) * obstacle.velocity;
-
-  const std::vector<core::Obstacle>& old = model_.environment().obstacles;
-  const bool same =
-      now.size() == old.size() && std::equal(now.begin(), now.end(), old.begin(),
-                                             [](const core::Obstacle& a, const core::Obstacle& b)
-                                             { return a.name == b.name && (a.mass > 0.0) == (b.mass > 0.0); });
-  model_.sea().setObstacles(now);
-  obstacles_at_ = settled_ ? state_.time : t;
-  if (same && settled_)
+      obstacle.position += (state.time - t) * obstacle.velocity;
+  const bool keeps_grip = running && areSameThings(now, simulation.model.environment().obstacles());
+  simulation.model = simulation.model.withEnvironment(simulation.model.environment().withObstacles(now));
+  time_ = running ? state.time : t;
+  if (keeps_grip)
   {
-    // The tether keeps its grip: only the surfaces move.
     for (std::size_t k = 0; k < now.size(); ++k)
     {
-      state_.obstacles[k].position = now[k].position - origin_;
-      state_.obstacles[k].velocity = now[k].velocity;
-      observer_.moveObstacle(k, state_.obstacles[k], state_.time);
+      state.obstacles[k].position = now[k].position - simulation.origin();
+      state.obstacles[k].velocity = now[k].velocity;
+      vehicle.moveObstacle(k, simulation);
     }
     return {};
   }
-  stepper_.prepareObstacles(model_);
-  estimate_.contact.obstacles.assign(now.size(), core::ContactSummary::ObstacleContact());
-  if (settled_)
+  simulation.stepper.prepareObstacles(simulation.model);
+  if (running)
   {
-    core::initializeContact(model_, state_);
-    observer_.forgetPast(model_, state_);
+    simulation.updatedCable().initializeContact(state);
+    vehicle.forgetPast(simulation);
   }
   return {};
 }
 
-// Takes the obstacles of the model to time t: those that are pushed from where they were last, the others on their
-// way.
-void TetherEstimator::moveObstacles(double t, const core::Vector3& origin)
+std::vector<core::Obstacle> ObstacleTracker::at(double t, const CableSimulation& simulation) const
 {
-  std::vector<core::Obstacle> obstacles = model_.environment().obstacles;
-  const bool were_stepped = state_.obstacles.size() == obstacles.size() && state_.time >= obstacles_at_;
+  std::vector<core::Obstacle> obstacles = simulation.model.environment().obstacles();
+  const core::CableState& state = simulation.state;
+  const bool were_stepped = state.obstacles.size() == obstacles.size() && state.time >= time_;
   for (std::size_t k = 0; k < obstacles.size(); ++k)
   {
     if (were_stepped && obstacles[k].mass > 0.0)
-      obstacles[k].position = state_.obstacles[k].position + origin;
-    else if (std::isfinite(obstacles_at_))
-      obstacles[k].position += (t - obstacles_at_) * obstacles[k].velocity;
+      obstacles[k].position = state.obstacles[k].position + simulation.origin();
+    else if (std::isfinite(time_))
+      obstacles[k].position += (t - time_) * obstacles[k].velocity;
   }
-  obstacles_at_ = t;
-  model_.sea().setObstacles(obstacles);
+  return obstacles;
 }
 
 }  // namespace tether_monitor::monitor

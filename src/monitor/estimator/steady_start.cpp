@@ -1,137 +1,141 @@
+#include "tether_monitor/monitor/estimator/steady_start.h"
+
 #include <cmath>
-#include <limits>
 
 #include "tether_monitor/core/solve/dynamic_relaxation.h"
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/monitor/model/model_factory.h"
 
 namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double SETTLING_RETRY = 1.0;  // [s] between attempts to find a steady state
-constexpr int STRUMMING_PASSES = 4;
-}  // namespace
+constexpr int VORTEX_SHEDDING_PASSES = 4;
 
-// Another deployed length for a tether that is not in motion.
-bool TetherEstimator::setLength(double length)
+// One search for a start; each step works on what the one before has left in `start`.
+class StartSearch
 {
-  if (model_.canRepresentLength(length))
+ public:
+  StartSearch(const Config& config, const VehicleEnd& vehicle, const EndTargets& targets, SteadyStart& start)
+    : config_(config), vehicle_(vehicle), targets_(targets), start_(start), simulation_(start.simulation)
   {
-    model_.setPayout({length, 0.0, 0.0});
+  }
+
+  bool run(double t, const std::vector<core::Obstacle>& obstacles)
+  {
+    return placeOrigin(obstacles) && setLength() && findShape() && refineMesh() && enterState(t) &&
+           amplifyDrag() && settleContact();
+  }
+
+ private:
+  bool isConverged() const { return simulation_.last_solve.converged(); }
+
+  bool placeOrigin(const std::vector<core::Obstacle>& obstacles)
+  {
+    const core::Vector3 origin(targets_.vessel.position.x(), targets_.vessel.position.y(), 0.0);
+    simulation_.model = simulation_.model.withEnvironment(
+        simulation_.model.environment().withObstacles(obstacles).withOrigin(origin));
+    ends_ = {targets_.vessel.position - origin, targets_.vehicle.position - origin, targets_.vessel.velocity, {}};
     return true;
   }
-  if (!isPossible(length))
-    return false;
-  core::MeshSelection mesh = mesh_;
-  while (!canMesh(config_, length, mesh.elements))
-    ++mesh.elements;
-  core::CableModel model = makeModel(config_, length, mesh.elements);
-  model.sea() = model_.sea();
-  rebuild(std::move(model), mesh);
-  return true;
-}
 
-void TetherEstimator::selectMesh(const core::SteadyEnds& ends)
-{
-  const double length = model_.length();
-  const auto make = [&](int elements)
+  bool setLength()
   {
-    core::CableModel model = makeModel(config_, length, elements);
-    model.sea() = model_.sea();
-    return model;
-  };
-  const core::MeshSelection mesh =
-      core::selectMesh(make, ends, *config_.accuracy, config_.solver, model_.elements());
-  rebuild(mesh.elements == model_.elements() ? model_ : make(mesh.elements), mesh);
-}
-
-// A mesh serves as long as the tether is about as long, as taut and as fast.
-bool TetherEstimator::needsMesh(const core::SteadyEnds& ends) const
-{
-  constexpr double LENGTH_SHARE = 0.1, CHORD_SHARE = 0.02, SPEED = 0.5;  // of the length, of the length, [m/s]
-  const double length = model_.length(), chord = (ends.vessel - ends.vehicle).norm();
-  return config_.accuracy && !(std::abs(length - mesh_length_) < LENGTH_SHARE * length &&
-                               std::abs(chord - mesh_chord_) < CHORD_SHARE * length &&
-                               (ends.velocity - mesh_velocity_).norm() < SPEED);
-}
-
-void TetherEstimator::rebuild(core::CableModel model, const core::MeshSelection& mesh)
-{
-  core::StepperOptions solver = config_.solver;
-  solver.step = mesh.step;
-  core::AdaptiveStepper stepper(model, solver);
-  mesh_ = mesh;
-  model_ = std::move(model);
-  stepper_ = std::move(stepper);
-  statics_ = core::SteadyStateSolver(model_.nodes());
-  observer_.setNodes(model_.nodes());
-  estimate_.stations = core::StationProfile(mesh.elements);
-}
-
-// The model with all the forces of a steady state.
-core::CableModel TetherEstimator::modelAtRest() const
-{
-  return isVehicleObserved() ? observer_.modelWithInitialForces(model_, vehicle_.lastOrientation() * thrust_.force)
-                             : model_;
-}
-
-bool TetherEstimator::settle(double t, const EndTargets& ends)
-{
-  const core::Vector3 old_origin = origin_;
-  origin_ = {ends.vessel.position.x(), ends.vessel.position.y(), 0.0};
-  const core::SteadyEnds steady{ends.vessel.position - origin_, ends.vehicle.position - origin_,
-                                ends.vessel.velocity};
-  moveObstacles(t, old_origin);
-  model_.sea().setOrigin(origin_);
-  settled_ = false;
-  retry_settling_at_ = t + SETTLING_RETRY;
-  if (ends.payout && !setLength(ends.payout->length))
-    return false;
-  model_.setPayout({model_.length(), 0.0, 0.0});
-  core::NodeField shape;
-  last_solve_ = initialize(steady, shape);
-  if (last_solve_.converged() && needsMesh(steady))
-  {
-    const core::CableModel before = model_;
-    const core::MeshSelection mesh_before = mesh_;
-    mesh_length_ = model_.length();
-    mesh_chord_ = (steady.vessel - steady.vehicle).norm();
-    mesh_velocity_ = steady.velocity;
-    selectMesh(steady);
-    core::NodeField finer;
-    const core::SolveReport report = initialize(steady, finer);
-    if (report.converged())
-      shape = finer;
-    else
-      rebuild(before, mesh_before);
-  }
-  if (!last_solve_.converged())
-    return false;
-  state_ = core::CableState(t, shape, ends.vessel.velocity);
-  if (config_.drag_amplification > 1.0)
-  {
-    // The tether strums where it flows; that changes its shape, and so the flow.
-    for (int pass = 0; pass < STRUMMING_PASSES && last_solve_.converged(); ++pass)
-    {
-      strumming_ = core::findLockIn(model_, state_, config_.drag_amplification);
-      // An observed vehicle stays where it was seen: the force on it changes instead.
-      last_solve_ =
-          isVehicleObserved() ? initialize(steady, state_.q) : statics_.solveFrom(model_, steady, state_.q);
-    }
-    if (!last_solve_.converged())
+    const double length = targets_.payout ? targets_.payout->length : simulation_.length();
+    simulation_.last_solve.status = core::SolveStatus::NOT_CONVERGED;
+    if (!simulation_.setLength(config_, length))
       return false;
+    ends_.deployment = simulation_.state.deployment;
+    return true;
   }
-  core::initializeContact(model_, state_);
-  last_solve_ = core::relaxFriction(modelAtRest(), state_);
-  if (!last_solve_.converged())
-    return false;
-  if (isVehicleObserved())
-    observer_.begin(model_, origin_, state_);
-  payout_rate_ = ends.payout && std::abs(ends.payout->rate) <= PayoutBuffer::FASTEST ? ends.payout->rate : 0.0;
-  strumming_at_ = -std::numeric_limits<double>::infinity();
-  settled_ = true;
-  return true;
+
+  bool findShape()
+  {
+    simulation_.last_solve = vehicle_.findStart(simulation_, ends_, targets_, start_.vehicle);
+    return isConverged();
+  }
+
+  // A mesh for the wanted accuracy; if nothing is found on it, that before.
+  bool refineMesh()
+  {
+    if (!config_.accuracy ||
+        (simulation_.mesh_purpose && simulation_.mesh_purpose->serves(simulation_.length(), ends_)))
+      return true;
+    const MeshPurpose purpose{simulation_.length(), (ends_.vessel - ends_.vehicle).norm(), ends_.velocity};
+    const SteadyStart before = start_;
+    const core::SteadyEnds ends_before = ends_;
+    selectMesh(purpose.length);
+    if (vehicle_.findStart(simulation_, ends_, targets_, start_.vehicle).converged())
+    {
+      simulation_.mesh_purpose = purpose;
+      return true;
+    }
+    start_ = before;
+    ends_ = ends_before;
+    simulation_.mesh_purpose = purpose;  // not tried again for the same
+    return true;
+  }
+
+  void selectMesh(double length)
+  {
+    const core::EnvironmentModel environment = simulation_.model.environment();
+    const auto make = [&](int elements)
+    { return makeModel(config_, length, elements).withEnvironment(environment); };
+    core::SteadyEnds ends = ends_;
+    ends.deployment = core::Deployment();
+    const core::MeshSelection mesh =
+        core::selectMesh(make, ends, *config_.accuracy, config_.solver, simulation_.model.elements());
+    const bool is_same = mesh.elements == simulation_.model.elements();
+    const core::Deployment deployment = is_same ? simulation_.state.deployment : core::Deployment();
+    simulation_.setModel(is_same ? core::CableModel(simulation_.model) : make(mesh.elements), mesh);
+    simulation_.state.deployment = deployment;
+    ends_.deployment = deployment;
+  }
+
+  bool enterState(double t)
+  {
+    simulation_.state = core::CableState(t, start_.vehicle.shape, targets_.vessel.velocity, ends_.deployment);
+    return true;
+  }
+
+  // The drag grows where vortices shed; that changes the shape, and so the flow.
+  bool amplifyDrag()
+  {
+    core::CableState& state = simulation_.state;
+    for (int pass = 0; config_.drag_amplification > 1.0 && pass < VORTEX_SHEDDING_PASSES && isConverged(); ++pass)
+    {
+      start_.vortex_shedding = core::findLockIn(simulation_.updatedCable(), state, config_.drag_amplification,
+                                                state.deployment.drag_factor);
+      ends_.deployment = state.deployment;
+      simulation_.last_solve = vehicle_.refineStart(simulation_, ends_, targets_, start_.vehicle);
+      state.q = start_.vehicle.shape;
+    }
+    return isConverged();
+  }
+
+  bool settleContact()
+  {
+    simulation_.updatedCable().initializeContact(simulation_.state);
+    simulation_.last_solve =
+        core::relaxFriction(vehicle_.modelAtRest(simulation_.model, start_.vehicle), simulation_.state);
+    return isConverged();
+  }
+
+  const Config& config_;
+  const VehicleEnd& vehicle_;
+  const EndTargets& targets_;
+  SteadyStart& start_;
+  CableSimulation& simulation_;
+  core::SteadyEnds ends_;
+};
+}  // namespace
+
+SteadyStart findSteadyStart(const Config& config, const CableSimulation& simulation,
+                            const std::vector<core::Obstacle>& obstacles, const VehicleEnd& vehicle, double t,
+                            const EndTargets& targets)
+{
+  SteadyStart start{simulation, {}, {}};
+  StartSearch(config, vehicle, targets, start).run(t, obstacles);
+  return start;
 }
 
 }  // namespace tether_monitor::monitor

@@ -2,310 +2,297 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
+#include "tether_monitor/monitor/estimator/estimator_snapshot.h"
+#include "tether_monitor/monitor/estimator/steady_start.h"
 #include "tether_monitor/monitor/model/model_factory.h"
 
 namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double ABSURD = 10.0;           // breaking loads: no tether carries that, something told is wrong
-constexpr double STRUMMING_PERIOD = 1.0;  // [s] of model time between looks at strumming
+constexpr double ABSURD = 10.0;      // breaking loads: no tether carries that, an input is wrong
+constexpr double START_RETRY = 1.0;  // [s] between attempts to find a steady state
 
 const Config& checked(const Config& config)
 {
-  core::throwIfInvalid("configuration of the monitor", validate(config));
+  std::vector<std::string> problems = validate(config);
+  const std::vector<std::string> of_alarms = validateAlarms(config);
+  problems.insert(problems.end(), of_alarms.begin(), of_alarms.end());
+  core::throwIfInvalid("configuration of the monitor", problems);
   return config;
-}
-
-core::EndMotion shifted(const core::EndMotion& end, const core::Vector3& origin)
-{
-  return {end.position - origin, end.velocity};
 }
 }  // namespace
 
 TetherEstimator::TetherEstimator(const Config& config)
   : config_(checked(config)),
-    model_(makeModel(config)),
-    stepper_(model_, config.solver),
-    statics_(model_.nodes()),
-    observer_(config_, model_.nodes()),
-    alarms_(config),
-    strumming_at_(-std::numeric_limits<double>::infinity()),
-    obstacles_at_(std::numeric_limits<double>::quiet_NaN()),
-    winch_capacity_(config.winch ? core::WinchDrum(*config.winch, config.tether.diameter).capacity()
-                                 : std::numeric_limits<double>::infinity()),
-    rejected_at_(-std::numeric_limits<double>::infinity())
+    simulation_(config),
+    vessel_(makeVesselEnd(config)),
+    vehicle_(makeVehicleEnd(config)),
+    payout_(config),
+    watchdog_(config),
+    vortex_shedding_(config.drag_amplification),
+    alarms_(config)
 {
-  mesh_ = {config.elements, config.solver.step, TetherEstimate::NONE, !config.accuracy};
   estimate_.stations = core::StationProfile(config.elements);
   estimate_.contact.obstacles.resize(config.environment.obstacles.size());
 }
 
 void TetherEstimator::setCurrent(const core::CurrentProfile& current)
 {
-  model_.sea().setCurrent(current);
+  simulation_.model = simulation_.model.withEnvironment(simulation_.model.environment().withCurrent(current));
 }
 
-double TetherEstimator::thrustAge(double t) const
+void TetherEstimator::setEpoch(double epoch)
 {
-  return std::isnan(thrust_at_) ? 0.0 : std::max(t - thrust_at_, 0.0);
+  simulation_.model = simulation_.model.withEnvironment(simulation_.model.environment().withTimeOrigin(epoch));
 }
 
 bool TetherEstimator::setDepth(double depth)
 {
-  core::Environment changed = model_.environment();
+  core::Environment changed = simulation_.model.environment().description();
   if (!changed.seabed)
     return false;
   changed.seabed->depth = depth;
   if (!core::validate(changed).empty())
     return false;
-  model_.sea().setDepth(depth);
-  told_depth_ = depth;
+  simulation_.model = simulation_.model.withEnvironment(simulation_.model.environment().withDepth(depth));
+  simulation_.reported_depth = depth;
   return true;
 }
 
-// Whether another deployed length can be meshed, with as many elements as there may be.
-bool TetherEstimator::isPossible(double length) const
+std::vector<std::string> TetherEstimator::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
 {
-  return canMesh(config_, length, config_.accuracy ? core::MOST_ELEMENTS : config_.elements);
+  const std::vector<std::string> faults = obstacles_.set(t, obstacles, isRunning(), simulation_, *vehicle_);
+  if (faults.empty())
+    estimate_.contact.obstacles.resize(obstacles.size());
+  return faults;
 }
 
 bool TetherEstimator::addPayout(double t, double length, double rate)
 {
-  const bool is_possible = (model_.canRepresentLength(length) || isPossible(length)) && length <= winch_capacity_;
-  return is_possible && !(std::abs(rate) > PayoutBuffer::FASTEST) && payout_.add(t, length, rate);
+  return payout_.add(t, length, rate, canDeploy(config_, simulation_.model, length));
 }
 
 void TetherEstimator::reset()
 {
-  vessel_.clear();
-  vehicle_.clear();
-  vessel_blender_.reset();
-  vehicle_blender_.reset();
-  vessel_filter_.clear();
-  observer_.clear();
+  vessel_->clear();
+  vehicle_->clear();
   payout_.clear();
-  setThrust(TetherEstimate::NONE, core::Wrench());
+  watchdog_.clear();
   invalidate(Reason::NO_INPUT, estimate_);
-  settled_ = announced_settling_ = started_ = false;
-  rejected_at_ = -std::numeric_limits<double>::infinity();
+  phase_ = Phase::IDLE;
   alarms_.resetTimers();
-}
-
-core::EndMotion TetherEstimator::targetOf(const MotionBuffer& track, const BodyConfig& body, double t,
-                                          CorrectionBlender& blender) const
-{
-  const core::EndMotion now = track.at(t).attachmentPoint(body.attachment);
-  return blender.blend(t, now, t - track.age(t), std::min(track.poseInterval(t), config_.pose_timeout));
 }
 
 EndTargets TetherEstimator::targetsAt(double t)
 {
   EndTargets targets;
-  if (isVehicleObserved())
+  if (isRunning())
   {
-    aimAtObserved(t, targets);
+    vessel_->aim(t, targets);
+    vehicle_->aim(t, targets);
   }
   else
   {
-    targets.vessel = targetOf(vessel_, config_.vessel, t, vessel_blender_);
-    targets.vessel_age = vessel_.age(t);
+    vessel_->aimAtStart(t, targets);
+    vehicle_->aimAtStart(t, targets);
   }
-  if (isVehicleFree())
-    targets.vehicle_age = thrustAge(t);
-  if (!isVehicleSimulated())
-  {
-    targets.vehicle = targetOf(vehicle_, config_.vehicle, t, vehicle_blender_);
-    targets.vehicle_age = vehicle_.age(t);
-  }
-  if (payout_.hasReport())
-  {
-    targets.payout = payout_.blend(t);
-    targets.payout_age = payout_.age(t);
-  }
+  payout_.aim(t, targets);
   return targets;
+}
+
+void TetherEstimator::updateAges(double t)
+{
+  EndTargets ages;
+  ages.vessel_age = vessel_->age(t);
+  ages.vehicle_age = vehicle_->age(t, isRunning());
+  ages.payout_age = payout_.age(t);
+  setAges(ages);
+}
+
+void TetherEstimator::setAges(const EndTargets& ends)
+{
+  estimate_.vessel_age = ends.vessel_age;
+  estimate_.vehicle_age = ends.vehicle_age;
+  estimate_.vehicle_overdue = vehicle_->overdue(ends.vehicle_age);
+  estimate_.payout_age = ends.payout_age;
+}
+
+void TetherEstimator::announceStart(double t)
+{
+  phase_ = Phase::STARTING;
+  retry_start_at_ = t;
 }
 
 const TetherEstimate& TetherEstimator::refuse(double t, Reason reason)
 {
-  settled_ = false;
+  if (isRunning())
+    phase_ = Phase::STARTING;
   estimate_.time = t;
+  return withhold(reason);
+}
+
+const TetherEstimate& TetherEstimator::withhold(Reason reason)
+{
   invalidate(reason, estimate_);
   alarms_changed_ = alarms_.update(estimate_);
   return estimate_;
-}
-
-void TetherEstimator::setVehicleAge(double age)
-{
-  estimate_.vehicle_age = age;
-  estimate_.vehicle_overdue = isVehicleObserved() ? std::max(observer_.overdueTime(age), 0.0) : age;
-}
-
-void TetherEstimator::lookAtAges(double t)
-{
-  estimate_.vessel_age = isVehicleObserved() ? vessel_filter_.age(t) : vessel_.age(t);
-  setVehicleAge(isVehicleObserved() ? observedAge(t) : isVehicleFree() ? thrustAge(t) : vehicle_.age(t));
-  estimate_.payout_age = payout_.hasReport() ? payout_.age(t) : TetherEstimate::NONE;
 }
 
 const TetherEstimate& TetherEstimator::tick(double t)
 {
   const double since_last = t - estimate_.time;
   const double longest_gap = std::max(config_.invalid_timeout, 3.0 / config_.rate);
-  if (started_ && (since_last < 0.0 || since_last > longest_gap))
+  if (phase_ != Phase::IDLE && (since_last < 0.0 || since_last > longest_gap))
   {
     // Backwards, a new run of the clock has begun and the measurements belong to the old one.
     if (since_last < 0.0)
       reset();
-    started_ = true;
-    settled_ = announced_settling_ = false;
-    retry_settling_at_ = t;
-    lookAtAges(t);
+    phase_ = Phase::WAITING;
+    retry_start_at_ = t;
+    updateAges(t);
     return refuse(t, Reason::CLOCK_JUMP);
   }
-  started_ = true;
-  lookAtAges(t);
-  if (!std::isfinite(estimate_.vessel_age) || !std::isfinite(estimate_.vehicle_age))
-    return refuse(t, Reason::NO_INPUT);
-  if (estimate_.vessel_age > config_.invalid_timeout)
-    return refuse(t, Reason::VESSEL_STALE);
-  if (estimate_.vehicle_age > config_.invalid_timeout && !isVehicleObserved())
-    return refuse(t, Reason::VEHICLE_STALE);
-  if (isVehicleObserved() && !settled_ && observer_.overdueTime(estimate_.vehicle_age) > config_.invalid_timeout)
-    return refuse(t, Reason::VEHICLE_STALE);
-  if (estimate_.payout_age > config_.invalid_timeout)
-    return refuse(t, Reason::PAYOUT_STALE);
-  if (settled_)
+  if (phase_ == Phase::IDLE)
+    phase_ = Phase::WAITING;
+  updateAges(t);
+  const Reason missing = watchdog_.invalidReason(estimate_, isRunning() && vehicle_->canCoast());
+  if (missing != Reason::NONE)
+    return refuse(t, missing);
+  if (isRunning())
     return advance(t, targetsAt(t));
-  if (!announced_settling_ || !canBegin(t))
+  if (phase_ == Phase::WAITING || !canBegin(t))
   {
-    announced_settling_ = true;
-    retry_settling_at_ = t;
+    announceStart(t);
     return refuse(t, Reason::SETTLING);
   }
-  if (t < retry_settling_at_)
+  if (t < retry_start_at_)
     return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
   return begin(t, targetsAt(t));
 }
 
+bool TetherEstimator::start(double t, const EndTargets& ends)
+{
+  phase_ = Phase::STARTING;
+  retry_start_at_ = t + START_RETRY;
+  SteadyStart found =
+      findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
+  simulation_.last_solve = found.simulation.last_solve;
+  if (!simulation_.last_solve.converged())
+    return false;
+  simulation_ = std::move(found.simulation);
+  vehicle_->begin(found.vehicle, simulation_);
+  obstacles_.begin(t);
+  payout_.reached(ends);
+  vortex_shedding_.begin(found.vortex_shedding);
+  estimate_.stations = core::StationProfile(simulation_.mesh.elements);
+  phase_ = Phase::RUNNING;
+  return true;
+}
+
 const TetherEstimate& TetherEstimator::begin(double t, const EndTargets& ends)
 {
-  announced_settling_ = started_ = true;
-  estimate_.vessel_age = ends.vessel_age;
-  setVehicleAge(ends.vehicle_age);
-  estimate_.payout_age = ends.payout_age;
-  if (!settle(t, ends))
-    return refuse(t, Reason::NOT_CONVERGED);
-  return publish(ends);
+  setAges(ends);
+  return start(t, ends) ? publish(ends) : refuse(t, Reason::NOT_CONVERGED);
+}
+
+core::SolveReport TetherEstimator::step(double t, const EndTargets& ends)
+{
+  const core::CableState& state = simulation_.state;
+  core::BoundaryConditions paths;
+  paths.vessel = core::EndTrajectory::between(state.time, {state.q[0].head<3>(), state.v[0].head<3>()}, t,
+                                              {ends.vessel.position - simulation_.origin(), ends.vessel.velocity});
+  paths.payout = payout_.trajectory(ends, t, simulation_);
+  const core::SolveReport report = vehicle_->advance(paths, ends, t, simulation_);
+  payout_.reached(ends);
+  simulation_.count.steps += report.steps;
+  simulation_.count.rejected += report.rejected;
+  simulation_.count.iterations += report.iterations;
+  return report;
 }
 
 const TetherEstimate& TetherEstimator::advance(double t, const EndTargets& ends)
 {
-  if (!settled_ && !announced_settling_)
+  if (phase_ == Phase::STARTING)
+    return begin(t, ends);
+  if (!isRunning())
   {
-    announced_settling_ = true;
+    announceStart(t);
     return refuse(t, Reason::SETTLING);
   }
-  if (!settled_)
-    return begin(t, ends);
-  estimate_.vessel_age = ends.vessel_age;
-  setVehicleAge(ends.vehicle_age);
-  estimate_.payout_age = ends.payout_age;
-  if (t > state_.time)
+  setAges(ends);
+  if (t > simulation_.state.time)
   {
-    const auto now = [&](std::size_t node) {
-      return core::EndMotion{state_.q[node].head<3>(), state_.v[node].head<3>()};
-    };
-    core::BoundaryConditions paths;
-    paths.vessel = core::EndTrajectory::between(state_.time, now(0), t, shifted(ends.vessel, origin_));
-    if (!isVehicleSimulated())
-      paths.vehicle =
-          core::EndTrajectory::between(state_.time, now(state_.q.size() - 1), t, shifted(ends.vehicle, origin_));
-    paths.vehicle_thrust = thrust_;
-    if (ends.payout)
+    if (payout_.isLeap(ends, t, simulation_))
     {
-      const double mean = (ends.payout->length - model_.length()) / (t - state_.time);
-      if (std::abs(mean) > PayoutBuffer::FASTEST || std::abs(ends.payout->rate) > PayoutBuffer::FASTEST ||
-          !model_.canRepresentLength(ends.payout->length))
-      {
-        announced_settling_ = true;
-        retry_settling_at_ = t;
-        noteRejectedInput(t);  // what follows is a steady state, not a motion
-        return refuse(t, Reason::SETTLING);
-      }
-      paths.payout =
-          core::PayoutTrajectory::between(state_.time, {model_.length(), payout_rate_, 0.0}, t, *ends.payout);
+      announceStart(t);
+      noteRejectedInput(t);  // what follows is a steady state, not a motion
+      return refuse(t, Reason::SETTLING);
     }
-    last_solve_ = step(paths, ends, t);
-    payout_rate_ = ends.payout ? ends.payout->rate : 0.0;
-    count_.steps += last_solve_.steps;
-    count_.rejected += last_solve_.rejected;
-    count_.iterations += last_solve_.iterations;
-    if (!last_solve_.converged())
+    simulation_.last_solve = step(t, ends);
+    if (!simulation_.last_solve.converged())
     {
-      retry_settling_at_ = t;
+      announceStart(t);
       return refuse(t, Reason::NOT_CONVERGED);
     }
   }
   return publish(ends);
 }
 
-Reason TetherEstimator::degradation(const EndTargets& ends) const
+Reason TetherEstimator::degradedReason() const
 {
-  if (ends.vessel_age > config_.pose_timeout)
-    return Reason::VESSEL_STALE;
-  if (ends.vehicle_age > config_.pose_timeout && !isVehicleObserved())
-    return Reason::VEHICLE_STALE;
-  if (ends.payout_age > config_.pose_timeout)
-    return Reason::PAYOUT_STALE;
-  const Reason range = modelRange(model_, estimate_);
+  const Reason late = watchdog_.lateReason(estimate_, vehicle_->canCoast());
+  if (late != Reason::NONE)
+    return late;
+  const Reason range = modelRange(simulation_.cable, estimate_);
   if (range != Reason::NONE)
     return range;
-  if (isVehicleObserved() && doubt(estimate_.time) != Reason::NONE)
-    return doubt(estimate_.time);
-  const double since_rejection = estimate_.time - rejected_at_;
-  return since_rejection >= 0.0 && since_rejection <= config_.pose_timeout ? Reason::REJECTED_INPUT : Reason::NONE;
-}
-
-void TetherEstimator::lookAtStrumming()
-{
-  if (state_.time < strumming_at_ + STRUMMING_PERIOD && state_.time >= strumming_at_)
-    return;
-  strumming_at_ = state_.time;
-  strumming_ = core::findLockIn(model_, state_, config_.drag_amplification);
+  const Reason doubtful = vehicle_->degradedReason(estimate_);
+  if (doubtful != Reason::NONE)
+    return doubtful;
+  return watchdog_.hasRejectedInput(estimate_.time) ? Reason::REJECTED_INPUT : Reason::NONE;
 }
 
 const TetherEstimate& TetherEstimator::publish(const EndTargets& ends)
 {
-  estimate_.time = state_.time;
-  core::computeStations(model_, state_, estimate_.stations);
+  const core::CableState& state = simulation_.state;
+  const core::DeployedCable& cable = simulation_.updatedCable();
+  estimate_.time = state.time;
+  core::computeStations(cable, state, estimate_.stations);
   for (core::Vector3& position : estimate_.stations.position)
-    position += origin_;
+    position += simulation_.origin();
   estimate_.has_stations = true;
-  estimate_.payout_rate = ends.payout ? payout_rate_ : TetherEstimate::NONE;
-  summarize(model_, estimate_);
-  describeContact(model_, state_, origin_, estimate_);
-  if (isVehicleSimulated())
-    describeVehicle(model_, state_, origin_, estimate_);
-  if (isVehicleObserved())
-    observer_.describe(estimate_);
-  lookAtStrumming();
+  estimate_.payout_rate = ends.payout ? payout_.rate() : TetherEstimate::NONE;
+  summarize(cable, estimate_);
+  describeContact(cable, state, estimate_);
+  vehicle_->describe(simulation_, estimate_);
+  vortex_shedding_.update(simulation_);
   if (!std::isfinite(estimate_.max_tension) ||
       !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
-    return refuse(state_.time, Reason::NOT_CONVERGED);
+    return refuse(state.time, Reason::NOT_CONVERGED);
   if (estimate_.breaking_utilisation > ABSURD)
-    return refuse(state_.time, Reason::OUT_OF_RANGE);
-  const Reason lack = lackOf(state_.time);
-  if (lack != Reason::NONE)
-    return withhold(lack);
-  estimate_.reason = degradation(ends);
+    return refuse(state.time, Reason::OUT_OF_RANGE);
+  const Reason worthless = vehicle_->invalidReason(estimate_, ends);
+  if (worthless != Reason::NONE)
+    return withhold(worthless);
+  estimate_.reason = degradedReason();
   estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;
   alarms_changed_ = alarms_.update(estimate_);
   return estimate_;
+}
+
+std::vector<std::uint8_t> TetherEstimator::save() const
+{
+  return EstimatorSnapshot::save(*this);
+}
+
+bool TetherEstimator::restore(const std::vector<std::uint8_t>& bytes)
+{
+  return EstimatorSnapshot::restore(bytes, *this);
 }
 
 }  // namespace tether_monitor::monitor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tether_monitor::monitor
 {
@@ -10,25 +11,51 @@ namespace
 constexpr double SAME_TIME = 1e-6;  // [s]
 constexpr double COARSE = 0.005;    // [m]: noise that never gives the same number thrice
 constexpr int FROZEN = 3;           // equal positions in a row that cannot be measurements
-}  // namespace
+constexpr double UNMEASURED_VARIANCE = 1e12;
 
-// Positions that scatter do not repeat to the last digit: the source has stopped and its driver goes on.
-bool MeasurementHistory::isFrozen(const VehicleMeasurement& fix)
+// A position whose axes that were not measured are always equal.
+core::Vector3 comparable(const VehicleMeasurement& fix)
 {
-  if (fix.kind != VehicleMeasurement::Kind::POSITION)
-    return false;
-  core::Vector3 value = fix.value;
+  core::Vector3 value = fix.value.value();
   for (int axis = 0; axis < 3; ++axis)
     if (!fix.measuresPosition(axis))
       value[axis] = std::numeric_limits<double>::infinity();
-  repeats_ = value == last_value_ ? repeats_ + 1 : 1;
-  last_value_ = value;
-  return repeats_ >= FROZEN && fix.stddev.minCoeff() > COARSE;
+  return value;
+}
+}  // namespace
+
+core::Vector3 VehicleMeasurement::stddev() const
+{
+  core::Vector3 stddev;
+  for (int axis = 0; axis < 3; ++axis)
+    stddev[axis] = value.isMeasured(axis) ? value.stddev(axis) : std::numeric_limits<double>::infinity();
+  return stddev;
 }
 
-Rejection MeasurementHistory::add(const VehicleMeasurement& fix, double earliest)
+core::Matrix3 VehicleMeasurement::noise() const
 {
-  if (!std::isfinite(fix.t) || !fix.value.allFinite() || fix.stddev.hasNaN() || !(fix.stddev.minCoeff() > 0.0))
+  core::Matrix3 covariance = value.covariance();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!value.isMeasured(axis))
+      covariance(axis, axis) = UNMEASURED_VARIANCE;
+  return covariance;
+}
+
+int MeasurementHistory::repeatsOf(const VehicleMeasurement& fix) const
+{
+  return comparable(fix) == last_value_ ? repeats_ + 1 : 1;
+}
+
+// Positions that scatter do not repeat to the last digit: the source has stopped and its driver goes on.
+bool MeasurementHistory::isFrozen(const VehicleMeasurement& fix) const
+{
+  return fix.kind == VehicleMeasurement::Kind::POSITION && repeatsOf(fix) >= FROZEN &&
+         fix.stddev().minCoeff() > COARSE;
+}
+
+Rejection MeasurementHistory::check(const VehicleMeasurement& fix, double earliest) const
+{
+  if (!std::isfinite(fix.t) || !fix.value.isValid())
     return Rejection::NOT_FINITE;
   const auto is_same = [&](const VehicleMeasurement& other)
   { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind; };
@@ -36,8 +63,19 @@ Rejection MeasurementHistory::add(const VehicleMeasurement& fix, double earliest
     return Rejection::REPEATED;
   if (fix.t <= earliest)
     return Rejection::TOO_LATE;
-  if (isFrozen(fix))
-    return Rejection::FROZEN;
+  return isFrozen(fix) ? Rejection::FROZEN : Rejection::NONE;
+}
+
+Rejection MeasurementHistory::add(const VehicleMeasurement& fix, double earliest)
+{
+  const Rejection rejection = check(fix, earliest);
+  if (rejection != Rejection::NONE)
+    return rejection;
+  if (fix.kind == VehicleMeasurement::Kind::POSITION)
+  {
+    repeats_ = repeatsOf(fix);
+    last_value_ = comparable(fix);
+  }
   if (fixes_.size() == CAPACITY)
   {
     dropped_until_ = fixes_[CAPACITY / 2 - 1].t;
@@ -74,8 +112,8 @@ bool MeasurementHistory::isValid() const
 {
   bool sound = fixes_.size() <= CAPACITY && !std::isnan(earliest_unprocessed_);
   for (std::size_t i = 0; i < fixes_.size(); ++i)
-    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.allFinite() &&
-            fixes_[i].stddev.minCoeff() > 0.0 && (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
+    sound = sound && std::isfinite(fixes_[i].t) && fixes_[i].value.isValid() &&
+            fixes_[i].stddev().minCoeff() > 0.0 && (i == 0 || fixes_[i].t >= fixes_[i - 1].t);
   return sound;
 }
 

@@ -39,62 +39,35 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const core::Vector3& r
 }
 }  // namespace
 
-BodyState BodyState::ofNode(const core::CableState& state, std::size_t node, const core::AttitudeState& rotation,
-                            const core::Vector3& attachment)
-{
-  BodyState body;
-  const core::Vector3 lever = rotation.orientation * attachment;
-  body.orientation = rotation.orientation;
-  body.angular_velocity = rotation.orientation * rotation.velocity;
-  body.position = state.q[node].head<3>() - lever;
-  body.velocity = state.v[node].head<3>() - body.angular_velocity.cross(lever);
-  return body;
-}
-
-core::EndMotion BodyState::attachmentPoint(const core::Vector3& lever) const
-{
-  const core::Vector3 arm = orientation * lever;
-  return {position + arm, velocity + angular_velocity.cross(arm)};
-}
-
-const char* describe(Rejection rejection)
-{
-  switch (rejection)
-  {
-    case Rejection::NONE:
-      return "accepted";
-    case Rejection::NOT_FINITE:
-      return "a number is not finite";
-    case Rejection::BAD_QUATERNION:
-      return "the orientation is not a unit quaternion";
-    case Rejection::OUT_OF_ORDER:
-      return "the stamp is not later than the one before";
-    case Rejection::REPEATED:
-      return "there is a measurement of that stamp already";
-    case Rejection::TOO_LATE:
-      return "it is older than what can still be put in its place (vehicle.latency tells how late they are)";
-    case Rejection::NOT_MEASURED:
-      return "its covariance says that the position was not measured";
-    case Rejection::FROZEN:
-      return "the position repeats to the last digit: its source has stopped";
-  }
-  return "unknown";
-}
-
 MotionBuffer::MotionBuffer()
 {
   poses_.reserve(CAPACITY);
   rates_.reserve(CAPACITY);
 }
 
-Rejection MotionBuffer::addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation)
+Rejection MotionBuffer::checkPose(double t, const core::Vector3& position,
+                                  const Eigen::Quaterniond& orientation) const
 {
   if (!std::isfinite(t) || !position.allFinite() || !orientation.coeffs().allFinite())
     return Rejection::NOT_FINITE;
   if (std::abs(orientation.norm() - 1.0) > UNIT_TOLERANCE)
     return Rejection::BAD_QUATERNION;
-  if (!poses_.empty() && t <= poses_.back().t)
-    return Rejection::OUT_OF_ORDER;
+  return !poses_.empty() && t <= poses_.back().t ? Rejection::OUT_OF_ORDER : Rejection::NONE;
+}
+
+Rejection MotionBuffer::checkTwist(double t, const core::Vector3& velocity,
+                                   const core::Vector3& angular_velocity) const
+{
+  if (!std::isfinite(t) || !velocity.allFinite() || !angular_velocity.allFinite())
+    return Rejection::NOT_FINITE;
+  return !rates_.empty() && t <= rates_.back().t ? Rejection::OUT_OF_ORDER : Rejection::NONE;
+}
+
+Rejection MotionBuffer::addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation)
+{
+  const Rejection rejection = checkPose(t, position, orientation);
+  if (rejection != Rejection::NONE)
+    return rejection;
   makeRoom(poses_);
   poses_.push_back({t, position, orientation.normalized()});
   return Rejection::NONE;
@@ -102,10 +75,9 @@ Rejection MotionBuffer::addPose(double t, const core::Vector3& position, const E
 
 Rejection MotionBuffer::addTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity)
 {
-  if (!std::isfinite(t) || !velocity.allFinite() || !angular_velocity.allFinite())
-    return Rejection::NOT_FINITE;
-  if (!rates_.empty() && t <= rates_.back().t)
-    return Rejection::OUT_OF_ORDER;
+  const Rejection rejection = checkTwist(t, velocity, angular_velocity);
+  if (rejection != Rejection::NONE)
+    return rejection;
   makeRoom(rates_);
   rates_.push_back({t, velocity, angular_velocity});
   return Rejection::NONE;
@@ -131,7 +103,7 @@ double MotionBuffer::poseInterval(double t) const
   return after - poses_.begin() < 2 ? 0.0 : std::prev(after)->t - std::prev(after, 2)->t;
 }
 
-bool MotionBuffer::covers(double t) const
+bool MotionBuffer::canInterpolate(double t) const
 {
   return !poses_.empty() && poses_.back().t >= t;
 }
@@ -181,8 +153,10 @@ MotionBuffer::Slope MotionBuffer::ratesAt(std::size_t pose, double t) const
   if (last == pose)
     while (first > 0 && poses_[pose].t - poses_[first - 1].t <= VELOCITY_WINDOW)
       --first;
-  if (first == last)
-    first > 0 ? --first : ++last;
+  if (first == last && first > 0)
+    --first;
+  else if (first == last)
+    ++last;
 
   const double n = last - first + 1;
   double mean_t = 0.0;

@@ -63,9 +63,8 @@ core::PayoutState PayoutBuffer::blend(double t)
 {
   const core::PayoutState now = reported(t);
   const double interval = count_ > 1 ? std::min(last().t - reports_[count_ - 2].t, LONGEST_FADE) : 0.0;
-  const core::EndMotion end{{now.length, 0.0, 0.0}, {now.rate, 0.0, 0.0}};
-  const core::EndMotion target = blender_.blend(t, end, last().t, interval);
-  return {target.position.x(), target.velocity.x(), now.acceleration};
+  const auto target = blender_.blend(t, {now.length, now.rate}, last().t, interval);
+  return {target.value, target.rate, now.acceleration};
 }
 
 bool PayoutBuffer::isValid() const

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "tether_monitor/core/kernel/kernel.h"
+#include "tether_monitor/core/solve/mesh_convergence.h"
+
 namespace tether_monitor::monitor
 {
 namespace
@@ -30,16 +33,27 @@ bool isEmptyOr(std::size_t count, std::size_t size)
 {
   return size == 0 || size == count;
 }
+
+bool isDeploymentOf(const core::Deployment& deployment, const core::CableModel& model)
+{
+  const auto is_factor = [](double x) { return std::isfinite(x) && x >= 0.0; };
+  if (!isEmptyOr(static_cast<std::size_t>(model.elements()), deployment.drag_factor.size()) ||
+      !std::all_of(deployment.drag_factor.begin(), deployment.drag_factor.end(), is_factor))
+    return false;
+  const std::optional<core::PayoutState>& payout = deployment.payout;
+  return !payout || (model.canRepresentLength(payout->length) && std::isfinite(payout->rate) &&
+                     std::isfinite(payout->acceleration));
+}
 }  // namespace
 
 bool isStateOf(const core::CableState& state, const core::CableModel& model)
 {
   const std::size_t points = core::kernel::POINTS * static_cast<std::size_t>(model.elements());
-  const std::size_t obstacles = model.environment().obstacles.size();
+  const std::size_t obstacles = model.environment().obstacles().size();
   for (const core::NodeField* field : {&state.q, &state.v, &state.a, &state.algorithmic_acceleration})
     if (field->size() != static_cast<std::size_t>(model.nodes()))
       return false;
-  return state.allFinite() && state.obstacles.size() == obstacles &&
+  return state.allFinite() && isDeploymentOf(state.deployment, model) && state.obstacles.size() == obstacles &&
          isEmptyOr(points, state.contact.seabed.size()) && isEmptyOr(points, state.contact.obstacle.size()) &&
          state.contact.obstacle_position.size() == obstacles &&
          state.contact.friction >= core::FrictionMode::COULOMB &&
@@ -48,12 +62,12 @@ bool isStateOf(const core::CableState& state, const core::CableModel& model)
 
 core::CableModel makeModel(const Config& config)
 {
-  core::CableModel model(config.tether, config.elements, config.environment, config.layout);
+  const core::CableModel model(config.tether, config.elements, config.environment, config.layout);
   if (config.vehicle_mode != VehicleMode::TRACKED)
   {
     core::RigidBody body = config.vehicle_body;
     body.attachment = config.vehicle.attachment;
-    model.setBodies({std::nullopt, body});
+    return model.withBodies({std::nullopt, body});
   }
   return model;
 }
@@ -75,45 +89,10 @@ core::CableModel makeModel(const Config& config, double length, int elements)
   return makeModel(changed);
 }
 
-ModelSnapshot snapshotOf(const core::CableModel& model)
+bool canDeploy(const Config& config, const core::CableModel& model, double length)
 {
-  ModelSnapshot memory;
-  memory.reference_length = model.referenceLength();
-  memory.elements = model.elements();
-  memory.payout = model.payout();
-  for (int i = 0; i < model.elements(); ++i)
-    memory.drag_normal.push_back(model.element(i).drag_normal);
-  memory.current = model.environment().current.samples();
-  memory.obstacles = model.environment().obstacles;
-  memory.epoch = model.sea().epoch();
-  memory.origin = model.sea().origin();
-  return memory;
-}
-
-std::optional<core::CableModel> restoreModel(const Config& config, const ModelSnapshot& memory)
-{
-  bool is_possible = memory.drag_normal.size() == static_cast<std::size_t>(std::max(memory.elements, 0)) &&
-                     canMesh(config, memory.reference_length, memory.elements) &&
-                     std::isfinite(memory.payout.rate) && std::isfinite(memory.payout.acceleration) &&
-                     std::isfinite(memory.epoch) && memory.origin.allFinite() &&
-                     core::validate(memory.current).empty();
-  for (const double drag : memory.drag_normal)
-    is_possible = is_possible && std::isfinite(drag) && drag >= 0.0;
-  for (const core::Obstacle& obstacle : memory.obstacles)
-    is_possible = is_possible && core::validate(obstacle, "").empty();
-  if (!is_possible)
-    return std::nullopt;
-  core::CableModel model = makeModel(config, memory.reference_length, memory.elements);
-  if (!model.canRepresentLength(memory.payout.length))
-    return std::nullopt;
-  model.sea().setEpoch(memory.epoch);
-  model.sea().setOrigin(memory.origin);
-  model.sea().setCurrent(core::CurrentProfile(memory.current));
-  model.sea().setObstacles(memory.obstacles);
-  model.setPayout(memory.payout);
-  for (int i = 0; i < memory.elements; ++i)
-    model.setDragNormal(i, memory.drag_normal[i]);
-  return model;
+  return model.canRepresentLength(length) ||
+         canMesh(config, length, config.accuracy ? core::MOST_ELEMENTS : config.elements);
 }
 
 }  // namespace tether_monitor::monitor

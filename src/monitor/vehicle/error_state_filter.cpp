@@ -171,16 +171,16 @@ VehicleErrorStateFilter::MeasurementMatrix VehicleErrorStateFilter::velocityJaco
 }
 
 double VehicleErrorStateFilter::mahalanobis(const MeasurementMatrix& H, const core::Vector3& offset,
-                                            const core::Vector3& stddev) const
+                                            const core::Matrix3& noise) const
 {
   core::Matrix3 S = H * covariance_ * H.transpose();
-  S.diagonal() += stddev.cwiseAbs2();
+  S += noise;
   const core::Vector3 innovation = offset - H * error_;
   return innovation.dot(S.ldlt().solve(innovation));
 }
 
 void VehicleErrorStateFilter::correct(const MeasurementMatrix& H, const core::Vector3& offset,
-                                      const core::Vector3& stddev)
+                                      const core::Matrix3& noise)
 {
   if (model_.gains == ObserverGains::FIXED)
   {
@@ -193,7 +193,7 @@ void VehicleErrorStateFilter::correct(const MeasurementMatrix& H, const core::Ve
   propagateCovariance();
   const Eigen::Matrix<double, STATES, 3> columns = covariance_ * H.transpose();
   core::Matrix3 S = H * columns;
-  S.diagonal() += stddev.cwiseAbs2();
+  S += noise;
   const Eigen::Matrix<double, STATES, 3> gain = columns * S.inverse();
   error_ += gain * (offset - H * error_);
   covariance_ -= gain * columns.transpose();
@@ -201,31 +201,31 @@ void VehicleErrorStateFilter::correct(const MeasurementMatrix& H, const core::Ve
 }
 
 double VehicleErrorStateFilter::normalizedInnovationSquared(const core::Vector3& offset,
-                                                            const core::Vector3& stddev) const
+                                                            const core::Matrix3& noise) const
 {
-  return mahalanobis(positionJacobian(), offset, stddev);
+  return mahalanobis(positionJacobian(), offset, noise);
 }
 
 double VehicleErrorStateFilter::normalizedVelocityInnovationSquared(const core::Vector3& offset,
-                                                                    const core::Vector3& stddev) const
+                                                                    const core::Matrix3& noise) const
 {
-  return mahalanobis(velocityJacobian(), offset, stddev);
+  return mahalanobis(velocityJacobian(), offset, noise);
 }
 
-void VehicleErrorStateFilter::correctPosition(const core::Vector3& offset, const core::Vector3& stddev)
+void VehicleErrorStateFilter::correctPosition(const core::Vector3& offset, const core::Matrix3& noise)
 {
-  correct(positionJacobian(), offset, stddev);
+  correct(positionJacobian(), offset, noise);
 }
 
-void VehicleErrorStateFilter::correctVelocity(const core::Vector3& offset, const core::Vector3& stddev)
+void VehicleErrorStateFilter::correctVelocity(const core::Vector3& offset, const core::Matrix3& noise)
 {
-  correct(velocityJacobian(), offset, stddev);
+  correct(velocityJacobian(), offset, noise);
 }
 
-core::Vector3 VehicleErrorStateFilter::positionStddev() const
+core::Matrix3 VehicleErrorStateFilter::positionCovariance() const
 {
   const MeasurementMatrix H = positionJacobian();
-  return (H * covariance_ * H.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
+  return H * covariance_ * H.transpose();
 }
 
 void VehicleErrorStateFilter::inflatePositionCovariance(double stddev)

@@ -54,7 +54,7 @@ bool InnovationGate::shouldReacquire(const VehicleMeasurement& fix, const core::
 {
   const double dt = fix.t - last_refused_;
   const double apart = (offset - last_offset_).norm();
-  const double reach = 5.0 * fix.stddev.cwiseMin(10.0).norm() + DRIFT * dt;
+  const double reach = 5.0 * fix.stddev().cwiseMin(10.0).norm() + DRIFT * dt;
   consecutive_rejections_ = consecutive_rejections_ > 0 && apart <= reach ? consecutive_rejections_ + 1 : 1;
   last_offset_ = offset;
   last_refused_ = fix.t;
@@ -83,15 +83,14 @@ void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core:
 }
 
 void InnovationGate::evaluate(const VehicleMeasurement& fix, const core::Vector3& offset,
-                              VehicleErrorStateFilter& filter)
+                              const core::Matrix3& fix_noise, VehicleErrorStateFilter& filter)
 {
-  const double scale = std::sqrt(std::clamp(square_, 1.0, MAX_NOISE_VARIANCE_SCALE));
-  const core::Vector3 stddev = scale * fix.stddev.cwiseMin(1e6);
+  const core::Matrix3 noise = std::clamp(square_, 1.0, MAX_NOISE_VARIANCE_SCALE) * fix_noise;
   if (fix.kind == VehicleMeasurement::Kind::VELOCITY)
   {
-    const bool is_good = filter.normalizedVelocityInnovationSquared(offset, stddev) < CHI2_3DOF_0999;
+    const bool is_good = filter.normalizedVelocityInnovationSquared(offset, noise) < CHI2_3DOF_0999;
     if (is_good)
-      filter.correctVelocity(offset, stddev);
+      filter.correctVelocity(offset, noise);
     ++(is_good ? report_.accepted : report_.refused);
     return;
   }
@@ -99,11 +98,11 @@ void InnovationGate::evaluate(const VehicleMeasurement& fix, const core::Vector3
     reacquisition_until_ = fix.t + REACQUISITION_WINDOW;
   last_seen_ = fix.t;
   const core::Vector3 innovation = offset - filter.positionError();
-  const core::Vector3 expected = (filter.positionStddev().cwiseAbs2() + stddev.cwiseAbs2()).cwiseSqrt();
+  const core::Vector3 expected = (filter.positionCovariance() + noise).diagonal().cwiseMax(0.0).cwiseSqrt();
   report_.last = 0.0;
   for (int axis = 0; axis < 3; ++axis)
     report_.last = std::hypot(report_.last, fix.measuresPosition(axis) ? innovation[axis] : 0.0);
-  const double square = filter.normalizedInnovationSquared(offset, stddev);
+  const double square = filter.normalizedInnovationSquared(offset, noise);
   if (square < CHI2_3DOF_0999)
   {
     consecutive_rejections_ = 0;
@@ -118,7 +117,7 @@ void InnovationGate::evaluate(const VehicleMeasurement& fix, const core::Vector3
     consecutive_rejections_ = 0;
     filter.inflatePositionCovariance(report_.last);
   }
-  filter.correctPosition(offset, stddev);
+  filter.correctPosition(offset, noise);
   for (int axis = 0; axis < 3; ++axis)
     if (fix.measuresPosition(axis))
       last_accepted_[axis] = std::max(last_accepted_[axis], fix.t);

@@ -18,7 +18,7 @@ void VehicleObserver::moveObstacle(std::size_t k, const core::ObstacleMotion& no
     }
 }
 
-void VehicleObserver::forgetPast(const core::CableModel& model, const core::CableState& state)
+void VehicleObserver::forgetPast(const core::CableState& state)
 {
   if (snapshots_.empty())
     return;
@@ -26,32 +26,31 @@ void VehicleObserver::forgetPast(const core::CableModel& model, const core::Cabl
   snapshots_.clear();
   for (StateSnapshot& slot : snapshots_.storage())
     slot.state = state;
-  save(model, state);
+  save(state);
 }
 
-void VehicleObserver::save(const core::CableModel& model, const core::CableState& state)
+void VehicleObserver::save(const core::CableState& state)
 {
   const double spacing = (navigation_.latency + OUT_OF_ORDER) / (SNAPSHOTS - 4);
   if (!snapshots_.empty() && state.time < snapshots_.back().state.time + spacing)
     return;
   StateSnapshot& snapshot = snapshots_.emplaceBack();
   snapshot.state = state;
-  snapshot.payout = model.payout();
   snapshot.filter_state = filter_state_;
 }
 
 // Back to the last snapshot state before `from`, and all steps from there rewindAndReplay.
-core::SolveReport VehicleObserver::rewindAndReplay(double from, core::CableModel& model,
+core::SolveReport VehicleObserver::rewindAndReplay(double from, const core::CableModel& model,
                                                    core::AdaptiveStepper& stepper, core::CableState& state)
 {
   std::size_t kept = snapshots_.size();
   while (kept > 1 && snapshots_[kept - 1].state.time >= from)
     --kept;
   snapshots_.resizeTo(kept);
+  // The newest drag factors are the best for the past as well.
+  snapshots_.back().state.deployment.drag_factor = state.deployment.drag_factor;
   state = snapshots_.back().state;
   filter_state_ = snapshots_.back().filter_state;
-  if (snapshots_.back().payout.length != model.length() || snapshots_.back().payout.rate != model.payout().rate)
-    model.setPayout(snapshots_.back().payout);
   core::SolveReport total;
   for (std::size_t i = 0; i < steps_.size(); ++i)
   {
@@ -68,14 +67,13 @@ core::SolveReport VehicleObserver::rewindAndReplay(double from, core::CableModel
   return total;
 }
 
-bool VehicleObserver::isValid(const core::CableModel& model, const VehicleObserver& original) const
+bool VehicleObserver::isValid(const core::CableModel& model) const
 {
-  if (!log_.isValid() || !filter_state_.filter.isValid() || !steps_.isValid(original.steps_.capacity()) ||
-      !snapshots_.isValid(original.snapshots_.capacity()))
+  if (!history_.isValid() || !filter_state_.filter.isValid() || !steps_.isValid(steps_capacity_) ||
+      !snapshots_.isValid(SNAPSHOTS))
     return false;
   for (std::size_t i = 0; i < snapshots_.size(); ++i)
     if (!isStateOf(snapshots_[i].state, model) || !snapshots_[i].filter_state.filter.isValid() ||
-        !(snapshots_[i].payout.length > 0.0) ||
         (i > 0 && !(snapshots_[i].state.time > snapshots_[i - 1].state.time)))
       return false;
   for (std::size_t i = 0; i < steps_.size(); ++i)

@@ -1,6 +1,6 @@
 #include "tether_monitor/monitor/vehicle/tether_linearization.h"
 
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/assembly/end_forces.h"
 
 namespace tether_monitor::monitor
 {
@@ -15,17 +15,17 @@ TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
 }
 }  // namespace
 
-bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::CableModel& model,
+bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::DeployedCable& cable,
                      const core::CableState& state, double wave_rate, TetherLinearization& fit)
 {
   core::EndDynamicStiffness slow, fast, wave;
-  if (!solver.solve(model, state, TetherLinearization::FIT_RATE_LOW, slow) ||
-      !solver.solve(model, state, TetherLinearization::FIT_RATE_HIGH, fast) ||
-      !solver.solve(model, state, wave_rate, wave))
+  if (!solver.solve(cable, state, TetherLinearization::FIT_RATE_LOW, slow) ||
+      !solver.solve(cable, state, TetherLinearization::FIT_RATE_HIGH, fast) ||
+      !solver.solve(cable, state, wave_rate, wave))
     return false;
-  const core::RigidBody& body = *model.bodies().vehicle;
+  const core::RigidBody& body = *cable.bodies().vehicle;
   const core::Matrix3 R = state.vehicle.orientation.toRotationMatrix();
-  const core::EndForces forces = core::endForces(model, state);
+  const core::EndForces forces = core::endForces(cable, state);
   const RowVector3 at_vessel =
       -forces.vessel.normalized().transpose();  // a node receives what its body gets, negative
   const RowVector3 at_vehicle = -forces.vehicle.normalized().transpose();

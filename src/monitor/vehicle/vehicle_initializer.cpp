@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "tether_monitor/core/analysis/dynamic_stiffness.h"
-#include "tether_monitor/core/assembly/contact_assembly.h"
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/assembly/end_forces.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
 #include "tether_monitor/core/solve/dynamic_relaxation.h"
 
 namespace tether_monitor::monitor
@@ -21,35 +21,31 @@ constexpr double GOOD = 1e-3;  // relative gain of a pass that is not worth anot
 
 core::CableModel withoutVehicle(const core::CableModel& model)
 {
-  core::CableModel held = model;
-  held.setBodies({});
-  return held;
+  return model.withBodies({});
 }
 
 // What keeps the vehicle in balance where a tether ends, from other than the sea and the tether.
 core::Vector3 holdingForce(const core::CableModel& model, const core::CableModel& held,
-                           const core::NodeField& shape, const core::Vector3& velocity)
+                           const core::NodeField& shape, const core::SteadyEnds& ends)
 {
-  core::CableState state(0.0, shape, velocity);
+  core::CableState state(0.0, shape, ends.velocity, ends.deployment);
   core::initializeContact(held, state);
-  core::EnvironmentModel calm = model.sea();
-  calm.withoutWaves();
-  return -core::steadyForce(*model.bodies().vehicle, calm, shape.back().head<3>(), velocity) -
+  return -core::steadyForce(*model.bodies().vehicle, model.environment().withoutWaves(), shape.back().head<3>(),
+                            ends.velocity) -
          core::endForces(held, state).vehicle;
 }
 
 class MapSearch
 {
  public:
-  MapSearch(core::SteadyStateSolver& statics, const core::CableModel& model, const core::SteadyEnds& ends,
-            double position_stddev, const core::Vector3& thrust, const core::Vector3& force_stddev)
+  MapSearch(core::SteadyStateSolver& statics, const core::CableModel& model, const InitializationInputs& inputs)
     : statics_(statics),
       model_(model),
       body_(*model.bodies().vehicle),
-      ends_(ends),
-      thrust_(thrust),
-      position_information_(1.0 / (position_stddev * position_stddev)),
-      force_information_(force_stddev.cwiseAbs2().cwiseInverse().asDiagonal()),
+      ends_(inputs.ends),
+      thrust_(inputs.thrust),
+      position_information_(inputs.position_covariance.inverse()),
+      force_information_(inputs.force_stddev.cwiseAbs2().cwiseInverse().asDiagonal()),
       solver_(model.nodes())
   {
   }
@@ -68,9 +64,9 @@ class MapSearch
     {
       const double before = cost_;
       const core::Matrix3 Y = compliance_;
-      const core::Matrix3 H = position_information_ * Y.transpose() * Y + force_information_;
+      const core::Matrix3 H = Y.transpose() * position_information_ * Y + force_information_;
       core::Vector3 step =
-          -H.ldlt().solve(position_information_ * Y.transpose() * off_ + force_information_ * best_.force);
+          -H.ldlt().solve(Y.transpose() * (position_information_ * off_) + force_information_ * best_.force);
       bool better = false;
       for (int halving = 0; halving < 4 && !better; ++halving, step *= 0.5)
         better = tryForce(best_.force + step);
@@ -84,13 +80,13 @@ class MapSearch
   {
     core::SteadyEnds at = ends_;
     const core::Vector3 away = ends_.vehicle - ends_.vessel;
-    at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length() / away.norm()) * away;
+    at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length(ends_.deployment) / away.norm()) * away;
     core::NodeField shape;
     const core::CableModel held = withoutVehicle(model_);
     const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
     if (!report.converged())
       return;
-    const core::Vector3 force = holdingForce(model_, held, shape, at.velocity) - thrust_;
+    const core::Vector3 force = holdingForce(model_, held, shape, at) - thrust_;
     acceptIfBetter(force, shape, report);
   }
 
@@ -99,10 +95,8 @@ class MapSearch
   {
     core::RigidBody body = body_;
     body.force += force + thrust_;
-    core::CableModel loaded = model_;
-    loaded.setBodies({std::nullopt, body});
     core::NodeField shape;
-    const core::SolveReport report = statics_.solve(loaded, ends_, shape);
+    const core::SolveReport report = statics_.solve(model_.withBodies({std::nullopt, body}), ends_, shape);
     return report.converged() && acceptIfBetter(force, shape, report);
   }
 
@@ -110,10 +104,10 @@ class MapSearch
   bool acceptIfBetter(const core::Vector3& force, const core::NodeField& shape, const core::SolveReport& report)
   {
     const core::Vector3 off = shape.back().head<3>() - ends_.vehicle;
-    const double cost = position_information_ * off.squaredNorm() + force.dot(force_information_ * force);
+    const double cost = off.dot(position_information_ * off) + force.dot(force_information_ * force);
     if (!(cost < cost_))
       return false;
-    core::CableState state(0.0, shape, ends_.velocity);
+    core::CableState state(0.0, shape, ends_.velocity, ends_.deployment);
     core::initializeContact(model_, state);
     core::EndDynamicStiffness impedance;
     if (!solver_.solve(model_, state, STATIC_RATE, impedance))
@@ -127,7 +121,7 @@ class MapSearch
     best_.force = force;
     best_.cost = cost;
     best_.position_covariance =
-        (position_information_ * core::Matrix3::Identity() + K.transpose() * force_information_ * K).inverse();
+        (position_information_ + K.transpose() * force_information_ * K).inverse();
     return true;
   }
 
@@ -136,7 +130,7 @@ class MapSearch
   core::RigidBody body_;
   core::SteadyEnds ends_;
   core::Vector3 thrust_;
-  double position_information_;
+  core::Matrix3 position_information_;
   core::Matrix3 force_information_;
   core::EndDynamicStiffnessSolver solver_;
   VehicleInitialization best_;
@@ -148,11 +142,9 @@ class MapSearch
 }  // namespace
 
 core::SolveReport findVehicleInitialization(core::SteadyStateSolver& statics, const core::CableModel& model,
-                                            const core::SteadyEnds& ends, double position_stddev,
-                                            const core::Vector3& thrust, const core::Vector3& force_stddev,
-                                            VehicleInitialization& start)
+                                            const InitializationInputs& inputs, VehicleInitialization& start)
 {
-  MapSearch search(statics, model, ends, position_stddev, thrust, force_stddev);
+  MapSearch search(statics, model, inputs);
   search.searchFreeHanging();
   search.searchHeld();
   core::SolveReport report = search.report();
@@ -169,7 +161,7 @@ core::Matrix3 forceCovarianceFromVelocity(core::SteadyStateSolver& statics, cons
 {
   core::Matrix3 covariance = core::Matrix3::Zero();
   const core::CableModel held = withoutVehicle(model);
-  const core::Vector3 usual = holdingForce(model, held, start.shape, ends.velocity);
+  const core::Vector3 usual = holdingForce(model, held, start.shape, ends);
   core::SteadyEnds at = ends;
   at.vehicle = start.shape.back().head<3>();
   for (int i = 0; i < 3; ++i)
@@ -180,7 +172,7 @@ core::Matrix3 forceCovarianceFromVelocity(core::SteadyStateSolver& statics, cons
     if (!(velocity_stddev[i] > 0.0) || (!statics.solveFrom(held, at, shape).converged() &&
                                         !core::findSteadyState(statics, held, at, shape).converged()))
       continue;
-    const core::Vector3 force = holdingForce(model, held, shape, at.velocity) - usual;
+    const core::Vector3 force = holdingForce(model, held, shape, at) - usual;
     covariance += force * force.transpose();
   }
   return covariance;

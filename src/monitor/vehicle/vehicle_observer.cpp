@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
 #include "tether_monitor/monitor/vehicle/vehicle_initializer.h"
 
 namespace tether_monitor::monitor
@@ -43,6 +43,11 @@ ProcessNoiseModel disturbanceModel(const NavigationConfig& navigation, const cor
   return model;
 }
 
+double rootMeanVariance(const core::Matrix3& covariance)
+{
+  return std::sqrt(covariance.diagonal().cwiseMax(0.0).sum() / 3.0);
+}
+
 double median(std::array<double, MEDIAN_OF>& x, int n)
 {
   std::sort(x.begin(), x.begin() + n);
@@ -63,23 +68,33 @@ VehicleObserver::VehicleObserver(const Config& config, int nodes)
   : navigation_(config.navigation),
     body_(config.vehicle_body),
     invalid_timeout_(config.invalid_timeout),
+    steps_capacity_(stepsFor(config)),
     solver_(nodes),
     initialized_at_(-std::numeric_limits<double>::infinity()),
-    steps_(config.vehicle_mode == VehicleMode::OBSERVED ? stepsFor(config) : 0),
-    snapshots_(config.vehicle_mode == VehicleMode::OBSERVED ? SNAPSHOTS : 0),
+    steps_(steps_capacity_),
+    snapshots_(SNAPSHOTS),
     newest_(-std::numeric_limits<double>::infinity()),
     measurement_latency_(config.navigation.latency)
 {
   body_.attachment = config.vehicle.attachment;
 }
 
+double VehicleObserver::earliestTime() const
+{
+  return snapshots_.empty() ? -std::numeric_limits<double>::infinity() : snapshots_.front().state.time;
+}
+
+Rejection VehicleObserver::check(const VehicleMeasurement& fix) const
+{
+  return fix.t <= initialized_at_ ? Rejection::NONE : history_.check(fix, earliestTime());
+}
+
 Rejection VehicleObserver::add(const VehicleMeasurement& fix)
 {
   if (fix.t <= initialized_at_)
     return Rejection::NONE;
-  const Rejection rejection =
-      log_.add(fix, snapshots_.empty() ? -std::numeric_limits<double>::infinity() : snapshots_.front().state.time);
-  while (snapshots_.size() > 1 && snapshots_.front().state.time < log_.droppedUntil())
+  const Rejection rejection = history_.add(fix, earliestTime());
+  while (snapshots_.size() > 1 && snapshots_.front().state.time < history_.droppedUntil())
     snapshots_.popFront();
   if (rejection == Rejection::NONE && fix.kind == VehicleMeasurement::Kind::POSITION && fix.t > newest_ &&
       fix.measuresPosition(0))
@@ -99,7 +114,7 @@ Rejection VehicleObserver::add(const VehicleMeasurement& fix)
 
 void VehicleObserver::clear()
 {
-  log_.clear();
+  history_.clear();
   filter_state_ = FilterState();
   steps_.clear();
   snapshots_.clear();
@@ -114,10 +129,10 @@ double VehicleObserver::oldestUsableTime(double t) const
   return t - navigation_.latency - std::max(invalid_timeout_, FRESH_INTERVALS * measurement_interval_);
 }
 
-std::optional<core::Vector3> VehicleObserver::initialPositionEstimate(double t, const core::Vector3& velocity)
+std::optional<MeasuredVector> VehicleObserver::initialPositionEstimate(double t, const core::Vector3& velocity) const
 {
-  const auto& fixes = log_.fixes();
-  core::Vector3 place;
+  const auto& fixes = history_.fixes();
+  core::Vector3 place, stddev = core::Vector3::Zero();
   for (int axis = 0; axis < 3; ++axis)
   {
     std::array<double, MEDIAN_OF> last{};
@@ -125,19 +140,20 @@ std::optional<core::Vector3> VehicleObserver::initialPositionEstimate(double t, 
     for (auto fix = fixes.rbegin(); fix != fixes.rend() && n < MEDIAN_OF; ++fix)
       if (fix->measuresPosition(axis) && (n == 0 || fix->t > oldestUsableTime(t)))
       {
-        last[n++] = fix->value[axis] + velocity[axis] * (t - fix->t);
-        first_stddev_ = std::hypot(navigation_.position_stddev, FIRST_DRIFT * (t - fix->t));
+        last[n++] = fix->value.value()[axis] + velocity[axis] * (t - fix->t);
+        stddev[axis] =
+            std::max(stddev[axis], std::hypot(fix->value.stddev(axis), FIRST_DRIFT * (t - fix->t)));
       }
     if (n == 0)
       return std::nullopt;
     place[axis] = median(last, n);
   }
-  return place;
+  return MeasuredVector::withStddev(place, stddev);
 }
 
 bool VehicleObserver::isReady(double t) const
 {
-  const auto& fixes = log_.fixes();
+  const auto& fixes = history_.fixes();
   for (int axis = 0; axis < 3; ++axis)
   {
     int n = 0;
@@ -154,73 +170,81 @@ bool VehicleObserver::isReady(double t) const
 }
 
 core::SolveReport VehicleObserver::initialize(core::SteadyStateSolver& statics, const core::CableModel& model,
-                                              const core::SteadyEnds& ends, const core::Vector3& velocity_stddev,
-                                              const core::Vector3& thrust, core::NodeField& shape)
+                                              const core::SteadyEnds& ends, const core::Matrix3& covariance,
+                                              const core::Vector3& velocity_stddev, const core::Vector3& thrust,
+                                              VehicleInitialization& start) const
 {
   const ProcessNoiseModel disturbance = disturbanceModel(navigation_, body_);
-  const core::Vector3 usual = disturbance.force * disturbance.axisRatios();
-  VehicleInitialization start;
-  start_scale_ = 1.0;
-  core::SolveReport report = findVehicleInitialization(statics, model, ends, first_stddev_, thrust, usual, start);
-  if (report.converged() && start.cost > EXPECTED_COST)
+  InitializationInputs inputs{ends, covariance, thrust, disturbance.force * disturbance.axisRatios()};
+  VehicleInitialization found;
+  double scale = 1.0;
+  core::SolveReport report = findVehicleInitialization(statics, model, inputs, found);
+  if (report.converged() && found.cost > EXPECTED_COST)
   {
     // More than chance explains: the forces here are larger than usual.
-    start_scale_ = std::sqrt(start.cost / EXPECTED_COST);
-    report = findVehicleInitialization(statics, model, ends, first_stddev_, thrust, start_scale_ * usual, start);
+    scale = std::sqrt(found.cost / EXPECTED_COST);
+    inputs.force_stddev *= scale;
+    report = findVehicleInitialization(statics, model, inputs, found);
   }
   if (!report.converged())
     return report;
-  filter_state_.chord_excess =
-      (ends.vehicle - ends.vessel).norm() > model.length() + 3.0 * first_stddev_ ? 1.0 : 0.0;
-  start_force_ = start.force;
-  start_place_ = start.position_covariance;
-  start_doubt_ = forceCovarianceFromVelocity(statics, model, ends, velocity_stddev, start);
-  shape = start.shape;
+  const double stddev = std::sqrt(covariance.trace() / 3.0);
+  const bool is_too_far = (ends.vehicle - ends.vessel).norm() > model.length(ends.deployment) + 3.0 * stddev;
+  found.force_scale = scale;
+  found.chord_excess = is_too_far ? 1.0 : 0.0;
+  found.force_covariance = forceCovarianceFromVelocity(statics, model, ends, velocity_stddev, found);
+  start = found;
   return report;
 }
 
 core::CableModel VehicleObserver::modelWithInitialForces(const core::CableModel& model,
+                                                         const VehicleInitialization& start,
                                                          const core::Vector3& thrust) const
 {
   core::RigidBody body = body_;
-  body.force += start_force_ + thrust;
-  core::CableModel loaded = model;
-  loaded.setBodies({std::nullopt, body});
-  return loaded;
+  body.force += start.force + thrust;
+  return model.withBodies({std::nullopt, body});
 }
 
-void VehicleObserver::setNodes(int nodes)
+void VehicleObserver::prepare(const core::CableModel& model)
 {
-  solver_ = core::EndDynamicStiffnessSolver(nodes);
+  solver_ = core::EndDynamicStiffnessSolver(model.nodes());
+  cable_.emplace(model);
   steps_.clear();
   snapshots_.clear();
 }
 
-void VehicleObserver::begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state)
+void VehicleObserver::begin(const core::CableModel& model, const VehicleInitialization& start,
+                            core::CableState& state)
 {
+  prepare(model);
   initialized_at_ = state.time;
-  origin_ = origin;
+  origin_ = model.environment().origin();
   if (attitude_)
     state.vehicle.orientation = *attitude_;
   TetherLinearization stiffness;
   stiffness.mass = (body_.mass + body_.added_mass.mean()) * core::Matrix3::Identity();
-  linearizeTether(solver_, model, state, 1.0, stiffness);
+  cable_->update(model, state.deployment);
+  linearizeTether(solver_, *cable_, state, 1.0, stiffness);
   ProcessNoiseModel disturbance = disturbanceModel(navigation_, body_);
-  disturbance.force *= start_scale_;
-  disturbance.force_random_walk *= start_scale_;
-  filter_state_.filter.start(disturbance, start_place_, INITIAL_VELOCITY_STDDEV, start_force_, start_doubt_,
-                             core::bodyDrag(body_, model.sea(), state.time,
-                                            core::attachmentMotion(state, model.elements()), state.vehicle),
-                             stiffness);
+  disturbance.force *= start.force_scale;
+  disturbance.force_random_walk *= start.force_scale;
+  filter_state_.filter.start(disturbance, start.position_covariance, INITIAL_VELOCITY_STDDEV, start.force,
+                             start.force_covariance, dragOn(model, state), stiffness);
   filter_state_.gate.start(state.time, newest_);
+  filter_state_.chord_excess = start.chord_excess;
   filter_state_.relinearize_at = state.time + RELINEARIZATION_INTERVAL;
-  log_.discardBefore(state.time);
-  log_.markProcessed();
-  steps_.clear();
-  snapshots_.clear();
+  history_.discardBefore(state.time);
+  history_.markProcessed();
   for (StateSnapshot& slot : snapshots_.storage())
     slot.state = state;
-  save(model, state);
+  save(state);
+}
+
+core::Vector3 VehicleObserver::dragOn(const core::CableModel& model, const core::CableState& state) const
+{
+  return core::bodyDrag(body_, model.environment(),
+                        core::rigidBodyMotion(state, state.q.size() - 1, state.vehicle));
 }
 
 core::EndMotion VehicleObserver::centre(const core::CableState& state) const
@@ -234,33 +258,34 @@ void VehicleObserver::processMeasurement(const VehicleMeasurement& fix, const co
                                          const core::CableState& state)
 {
   const bool is_position = fix.kind == VehicleMeasurement::Kind::POSITION;
-  const core::Vector3 value = is_position ? core::Vector3(fix.value - origin_) : fix.value;
+  const core::Vector3 value = is_position ? core::Vector3(fix.value.value() - origin_) : fix.value.value();
   const core::Vector3 expected = is_position ? nominal.position(fix.t) : nominal.velocity(fix.t);
+  core::Matrix3 noise = fix.noise();
   if (is_position)
   {
     const core::Vector3 end = value + state.vehicle.orientation * body_.attachment;
-    const core::Vector3 chord = end - step.paths.vessel.position(fix.t);
-    const double excess =
-        chord.norm() - std::max(model.length(), (state.q.back() - state.q.front()).head<3>().norm());
-    const double sure = std::sqrt(fix.stddev.cwiseMin(1e6).squaredNorm() / 3.0 + step.vessel_stddev.squaredNorm());
-    filter_state_.chord_excess +=
-        STRETCH_SHARE * (std::clamp(excess / sure, -STRETCH_MOST, STRETCH_MOST) - filter_state_.chord_excess);
+    updateChordExcess(end - step.paths.vessel.position(fix.t), fix, step, model, state);
+    // What is wrong of the vessel's end is wrong of the vehicle, along the chord: all of it is there along the chord.
+    const core::Vector3 squares = filter_state_.filter.stiffness().chord.cwiseAbs2();
+    const double vessel_stddev = filter_state_.filter.stiffness().chord.cwiseProduct(step.vessel_stddev).norm();
+    noise.diagonal() += vessel_stddev * vessel_stddev / squares.squaredNorm() * squares;
   }
-  // What is wrong of the vessel's end is wrong of the vehicle, along the chord.
-  const core::Vector3& chord = filter_state_.filter.stiffness().chord;
-  const double vessel_motion_stddev = chord.cwiseProduct(step.vessel_stddev).norm();
-  VehicleMeasurement inflated = fix;
-  if (is_position)
-  {
-    const core::Vector3 squares = chord.cwiseAbs2();  // so that it is all there along the chord
-    inflated.stddev =
-        (fix.stddev.cwiseAbs2() + vessel_motion_stddev * vessel_motion_stddev / squares.squaredNorm() * squares)
-            .cwiseSqrt();
-  }
-  filter_state_.gate.evaluate(inflated, value - expected, filter_state_.filter);
+  filter_state_.gate.evaluate(fix, value - expected, noise, filter_state_.filter);
 }
 
-core::SolveReport VehicleObserver::advanceOneStep(const StepInput& step, core::CableModel& model,
+void VehicleObserver::updateChordExcess(const core::Vector3& chord, const VehicleMeasurement& fix,
+                                        const StepInput& step, const core::CableModel& model,
+                                        const core::CableState& state)
+{
+  const double nominal = (state.q.back() - state.q.front()).head<3>().norm();
+  const double excess = chord.norm() - std::max(model.length(state.deployment), nominal);
+  const double stddev =
+      std::sqrt(fix.stddev().cwiseMin(1e6).squaredNorm() / 3.0 + step.vessel_stddev.squaredNorm());
+  filter_state_.chord_excess += STRETCH_SHARE * (std::clamp(excess / stddev, -STRETCH_MOST, STRETCH_MOST) -
+                                                 filter_state_.chord_excess);
+}
+
+core::SolveReport VehicleObserver::advanceOneStep(const StepInput& step, const core::CableModel& model,
                                                   core::AdaptiveStepper& stepper, core::CableState& state)
 {
   core::BoundaryConditions paths = step.paths;
@@ -278,11 +303,9 @@ core::SolveReport VehicleObserver::advanceOneStep(const StepInput& step, core::C
   const core::SolveReport report = stepper.advance(model, paths, step.to, state);
   if (!report.converged())
     return report;
-  const core::Vector3 drag = core::bodyDrag(body_, model.sea(), state.time,
-                                            core::attachmentMotion(state, state.q.size() - 1), state.vehicle);
-  filter_state_.filter.predict(step.to - step.from, drag, filter_state_.gate.processNoiseScale());
+  filter_state_.filter.predict(step.to - step.from, dragOn(model, state), filter_state_.gate.processNoiseScale());
   const core::EndTrajectory nominal = core::EndTrajectory::between(step.from, before, step.to, centre(state));
-  const auto& fixes = log_.fixes();
+  const auto& fixes = history_.fixes();
   auto fix = std::upper_bound(fixes.begin(), fixes.end(), step.from,
                               [](double t, const VehicleMeasurement& other) { return t < other.t; });
   for (; fix != fixes.end() && fix->t <= step.to; ++fix)
@@ -290,22 +313,23 @@ core::SolveReport VehicleObserver::advanceOneStep(const StepInput& step, core::C
   if (state.time >= filter_state_.relinearize_at)
   {
     TetherLinearization stiffness = filter_state_.filter.stiffness();
-    if (linearizeTether(solver_, model, state, step.error_rate, stiffness))
+    cable_->update(model, state.deployment);
+    if (linearizeTether(solver_, *cable_, state, step.error_rate, stiffness))
       filter_state_.filter.setStiffness(stiffness);
     filter_state_.relinearize_at = state.time + RELINEARIZATION_INTERVAL;
   }
-  save(model, state);
+  save(state);
   return report;
 }
 
-core::SolveReport VehicleObserver::advance(core::CableModel& model, core::AdaptiveStepper& stepper,
+core::SolveReport VehicleObserver::advance(const core::CableModel& model, core::AdaptiveStepper& stepper,
                                            const core::BoundaryConditions& paths,
                                            const core::Vector3& vessel_stddev, double error_rate, double t,
                                            core::CableState& state)
 {
   core::SolveReport total;
-  const double late = log_.earliestUnprocessed();
-  log_.markProcessed();
+  const double late = history_.earliestUnprocessed();
+  history_.markProcessed();
   if (late <= state.time)
   {
     total = rewindAndReplay(late, model, stepper, state);
@@ -337,7 +361,7 @@ core::SolveReport VehicleObserver::advance(core::CableModel& model, core::Adapti
     if (!report.converged())
       return total;
   }
-  log_.discardBefore(snapshots_.front().state.time);
+  history_.discardBefore(snapshots_.front().state.time);
   return total;
 }
 
@@ -346,8 +370,9 @@ void VehicleObserver::describe(TetherEstimate& e) const
   const VehicleErrorStateFilter& filter = filter_state_.filter;
   e.vehicle.position += filter.positionError();
   e.vehicle.velocity += filter.velocityError();
-  e.vehicle_position_stddev = std::sqrt(filter.positionStddev().squaredNorm() / 3.0);
-  e.vehicle_velocity_stddev = std::sqrt(filter.velocityStddev().squaredNorm() / 3.0);
+  e.vehicle_position_covariance = filter.positionCovariance();
+  e.vehicle_velocity_covariance = filter.velocityCovariance();
+  e.vehicle_position_stddev = rootMeanVariance(e.vehicle_position_covariance);
   e.disturbance = filter.disturbance();
   e.disturbance_stddev = std::sqrt(filter.forceStddev().squaredNorm() / 3.0);
   const core::Vector3 along = e.stations.ends.vehicle.normalized();

@@ -59,67 +59,102 @@ void VesselMotionFilter::start(double t, const core::EndMotion& end, double posi
   }
 }
 
-Rejection VesselMotionFilter::addPosition(double t, const core::Vector3& position, const core::Vector3& stddev)
+VesselMotionFilter::Entry VesselMotionFilter::entryOf(double t, bool is_velocity, const MeasuredVector& measured)
 {
-  return add({t, false, position, stddev});
-}
-
-Rejection VesselMotionFilter::addVelocity(double t, const core::Vector3& velocity, const core::Vector3& stddev)
-{
-  return add({t, true, velocity, stddev});
-}
-
-Rejection VesselMotionFilter::add(const Entry& given)
-{
-  Entry entry = given;
-  std::array<DifferenceNoiseEstimator, 3>& noise = entry.is_velocity ? velocity_noise_ : noise_;
+  Entry entry{t, is_velocity, measured.value()};
   for (int i = 0; i < 3; ++i)
   {
-    const bool is_measured = !(entry.stddev[i] > UNMEASURED);
-    if (std::isnan(entry.stddev[i]))
-      entry.stddev[i] = 0.0;
-    if (is_measured && !std::isfinite(entry.value[i]))
-      return Rejection::NOT_FINITE;
-    if (!is_measured)
+    if (!measured.isMeasured(i))
       entry.stddev[i] = std::numeric_limits<double>::infinity();
+    else if (measured.accuracy(i) == Accuracy::SPECIFIED)
+      entry.stddev[i] = measured.stddev(i);
   }
+  return entry;
+}
+
+Rejection VesselMotionFilter::checkPosition(double t, const MeasuredVector& position) const
+{
+  return position.isValid() ? check(entryOf(t, false, position)) : Rejection::NOT_FINITE;
+}
+
+Rejection VesselMotionFilter::checkVelocity(double t, const MeasuredVector& velocity) const
+{
+  return velocity.isValid() ? check(entryOf(t, true, velocity)) : Rejection::NOT_FINITE;
+}
+
+Rejection VesselMotionFilter::addPosition(double t, const MeasuredVector& position)
+{
+  return position.isValid() ? add(entryOf(t, false, position)) : Rejection::NOT_FINITE;
+}
+
+Rejection VesselMotionFilter::addVelocity(double t, const MeasuredVector& velocity)
+{
+  return velocity.isValid() ? add(entryOf(t, true, velocity)) : Rejection::NOT_FINITE;
+}
+
+Rejection VesselMotionFilter::check(const Entry& entry) const
+{
   if (!std::isfinite(entry.t))
     return Rejection::NOT_FINITE;
   for (auto e = log_.rbegin(); e != log_.rend() && e->t >= entry.t; ++e)
     if (e->t == entry.t && e->is_velocity == entry.is_velocity && e->value == entry.value)
       return Rejection::REPEATED;
   const bool is_late = !log_.empty() && entry.t < log_.back().t;
-  if (is_late && (snapshots_.empty() || entry.t < snapshots_.front().t))
-    return Rejection::TOO_LATE;
+  return is_late && (snapshots_.empty() || entry.t < snapshots_.front().t) ? Rejection::TOO_LATE : Rejection::NONE;
+}
+
+// Gives the measured axes the accuracy that the data show where none is specified, and notes what was measured.
+void VesselMotionFilter::estimateNoise(Entry& entry)
+{
+  std::array<DifferenceNoiseEstimator, 3>& noise = entry.is_velocity ? velocity_noise_ : noise_;
   for (int i = 0; i < 3; ++i)
-    if (std::isfinite(entry.stddev[i]))
-    {
-      noise[i].add(entry.t, entry.value[i]);
-      if (!(entry.stddev[i] > 0.0))
-        entry.stddev[i] = noise[i].stddev();
-      if (entry.is_velocity)
-        continue;
-      last_measured_[i] = std::max(last_measured_[i], entry.t);
-      position_windows_[i].add({entry.t, entry.value[i], entry.stddev[i]});
-    }
-  if (log_.size() == CAPACITY)
   {
-    log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
-    const auto first = std::find_if(snapshots_.begin(), snapshots_.end(),
-                                    [&](const Snapshot& c) { return c.t >= log_.front().t; });
-    snapshots_.erase(snapshots_.begin(), first);
+    if (!std::isfinite(entry.stddev[i]))
+      continue;
+    noise[i].add(entry.t, entry.value[i]);
+    if (!(entry.stddev[i] > 0.0))
+      entry.stddev[i] = noise[i].stddev();
+    if (entry.is_velocity)
+      continue;
+    last_measured_[i] = std::max(last_measured_[i], entry.t);
+    position_windows_[i].add({entry.t, entry.value[i], entry.stddev[i]});
   }
+}
+
+void VesselMotionFilter::makeRoom()
+{
+  if (log_.size() < CAPACITY)
+    return;
+  log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
+  const auto first = std::find_if(snapshots_.begin(), snapshots_.end(),
+                                  [&](const Snapshot& c) { return c.t >= log_.front().t; });
+  snapshots_.erase(snapshots_.begin(), first);
+}
+
+Rejection VesselMotionFilter::add(const Entry& given)
+{
+  const Rejection rejection = check(given);
+  if (rejection != Rejection::NONE)
+    return rejection;
+  Entry entry = given;
+  const bool is_late = !log_.empty() && entry.t < log_.back().t;
+  estimateNoise(entry);
+  makeRoom();
   const auto place =
       std::upper_bound(log_.begin(), log_.end(), entry.t, [](double t, const Entry& e) { return t < e.t; });
   const std::size_t index = place - log_.begin();
   log_.insert(place, entry);
-  if (!is_late)
-  {
+  if (is_late)
+    runAgainFrom(index);
+  else
     run(entry);
-    return Rejection::NONE;
-  }
-  // Back to before it, and again.
-  while (snapshots_.size() > 1 && snapshots_.back().t > entry.t)
+  return Rejection::NONE;
+}
+
+// Back to before an entry of the log, and again.
+void VesselMotionFilter::runAgainFrom(std::size_t index)
+{
+  while (snapshots_.size() > 1 && snapshots_.back().t > log_[index].t)
     snapshots_.pop_back();
   filters_ = snapshots_.back().filters;
   consecutive_outliers_ = snapshots_.back().consecutive_outliers;
@@ -130,7 +165,6 @@ Rejection VesselMotionFilter::add(const Entry& given)
     --first;
   for (std::size_t k = first; k < log_.size(); ++k)
     run(log_[k]);
-  return Rejection::NONE;
 }
 
 void VesselMotionFilter::pushSnapshot(double t)
@@ -157,34 +191,44 @@ void VesselMotionFilter::run(const Entry& entry)
     }
     filter.predict(entry.t);
     if (entry.is_velocity)
-    {
-      const bool is_good = std::abs(filter.normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
-      if (is_good)
-        filter.correctVelocity(entry.value[i], entry.stddev[i]);
-      outliers_ += is_good ? 0 : 1;
-      continue;
-    }
-    const double innovation = filter.normalizedInnovation(entry.value[i], entry.stddev[i]);
-    if (std::abs(innovation) < GATE)
-    {
-      consecutive_outliers_[i] = 0;
-      filter.correctPosition(entry.value[i], entry.stddev[i]);
-    }
-    else if (++consecutive_outliers_[i] >= RESET_COUNT)
-    {
-      consecutive_outliers_[i] = 0;
-      filter.recordInnovation(innovation);
-      const double velocity = filter.at(entry.t).velocity;
-      const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
-      filter.start(entry.t, entry.value[i], entry.stddev[i], is_usable ? velocity : 0.0,
-                   is_usable ? 1.0 : INITIAL_VELOCITY_STDDEV);
-    }
+      correctVelocity(i, entry);
     else
-    {
-      ++outliers_;
-      if (consecutive_outliers_[i] > 1)
-        filter.recordInnovation(innovation);
-    }
+      correctPosition(i, entry);
+  }
+}
+
+void VesselMotionFilter::correctVelocity(int i, const Entry& entry)
+{
+  const bool is_good =
+      std::abs(filters_[i].normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
+  if (is_good)
+    filters_[i].correctVelocity(entry.value[i], entry.stddev[i]);
+  outliers_ += is_good ? 0 : 1;
+}
+
+void VesselMotionFilter::correctPosition(int i, const Entry& entry)
+{
+  AxisKalmanFilter& filter = filters_[i];
+  const double innovation = filter.normalizedInnovation(entry.value[i], entry.stddev[i]);
+  if (std::abs(innovation) < GATE)
+  {
+    consecutive_outliers_[i] = 0;
+    filter.correctPosition(entry.value[i], entry.stddev[i]);
+  }
+  else if (++consecutive_outliers_[i] >= RESET_COUNT)
+  {
+    consecutive_outliers_[i] = 0;
+    filter.recordInnovation(innovation);
+    const double velocity = filter.at(entry.t).velocity;
+    const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
+    filter.start(entry.t, entry.value[i], entry.stddev[i], is_usable ? velocity : 0.0,
+                 is_usable ? 1.0 : INITIAL_VELOCITY_STDDEV);
+  }
+  else
+  {
+    ++outliers_;
+    if (consecutive_outliers_[i] > 1)
+      filter.recordInnovation(innovation);
   }
 }
 
@@ -216,7 +260,7 @@ VesselMotionFilter::Motion VesselMotionFilter::at(double t) const
 
 void VesselMotionFilter::startBlending(double t, const core::EndMotion& from)
 {
-  correction_ = core::EndMotion();
+  correction_ = Correction<core::Vector3>();
   ramp_track_ = from;
   last_output_ = filters_;
   last_output_time_ = blending_since_ = t;
@@ -240,17 +284,16 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
     {
       const double w = BLEND_BANDWIDTH * std::clamp(filters_[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO,
                                                     1.0, FASTEST_FADING);
-      const double decay = std::exp(-w * dt), drive = correction_.velocity[i] + w * correction_.position[i];
-      correction_.position[i] =
-          decay * (correction_.position[i] + dt * drive) - (motion.end.position[i] - expected.position[i]);
-      correction_.velocity[i] =
-          decay * (correction_.velocity[i] - w * dt * drive) - (motion.end.velocity[i] - expected.velocity[i]);
+      Correction<double> axis{correction_.value[i], correction_.rate[i]};
+      axis.fade(w, dt);
+      correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
+      correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
     }
   }
   last_output_ = filters_;
   last_output_time_ = t;
-  motion.end.position += correction_.position;
-  motion.end.velocity += correction_.velocity;
+  motion.end.position += correction_.value;
+  motion.end.velocity += correction_.rate;
   rampWaveMotion(t, motion);
   return motion;
 }
@@ -328,8 +371,8 @@ bool VesselMotionFilter::isValid() const
   { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isValid(); }); };
   bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(filters_) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
-               areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.position.allFinite() &&
-               correction_.velocity.allFinite() && ramp_track_.position.allFinite() &&
+               areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
+               correction_.rate.allFinite() && ramp_track_.position.allFinite() &&
                ramp_track_.velocity.allFinite() && track_velocity_stddev_.allFinite() &&
                blending_since_ <= last_output_time_;
   for (std::size_t i = 0; i < log_.size(); ++i)

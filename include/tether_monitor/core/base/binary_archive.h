@@ -14,7 +14,7 @@ namespace tether_monitor::core
 /**
  * Bytes of a state, and back, bit for bit, on machines of the same byte order.
  *
- * A class that can be archived has one member  template <class Archive> void archive(Archive& a) { a(x, y, ...); }
+ * A class that can be archived has one member  template <class Archive> void serialize(Archive& a) { a(x, y, ...); }
  * that serves both ways. Numbers, enumerations, strings, Eigen vectors and quaternions, std::vector, std::array,
  * std::optional and such classes can be listed.
  */
@@ -24,7 +24,7 @@ class BinaryWriter
   static constexpr bool READS = false;
 
   template <typename... Items>
-  void operator()(Items&... items)
+  void operator()(const Items&... items)
   {
     (put(items), ...);
   }
@@ -32,39 +32,39 @@ class BinaryWriter
 
  private:
   template <typename T>
-  void put(T& x)
+  void put(const T& x)
   {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
       raw(&x, sizeof x);
     else
-      x.serialize(*this);
+      const_cast<T&>(x).serialize(*this);  // which changes nothing when it writes
   }
-  void put(std::string& x)
+  void put(const std::string& x)
   {
     size(x.size());
     raw(x.data(), x.size());
   }
   template <int Rows, int Columns>
-  void put(Eigen::Matrix<double, Rows, Columns>& x)
+  void put(const Eigen::Matrix<double, Rows, Columns>& x)
   {
     raw(x.data(), sizeof(double) * x.size());
   }
-  void put(Eigen::Quaterniond& x) { raw(x.coeffs().data(), 4 * sizeof(double)); }
+  void put(const Eigen::Quaterniond& x) { raw(x.coeffs().data(), 4 * sizeof(double)); }
   template <typename T>
-  void put(std::vector<T>& x)
+  void put(const std::vector<T>& x)
   {
     size(x.size());
-    for (T& item : x)
+    for (const T& item : x)
       put(item);
   }
   template <typename T, std::size_t N>
-  void put(std::array<T, N>& x)
+  void put(const std::array<T, N>& x)
   {
-    for (T& item : x)
+    for (const T& item : x)
       put(item);
   }
   template <typename T>
-  void put(std::optional<T>& x)
+  void put(const std::optional<T>& x)
   {
     size(x ? 1 : 0);
     if (x)

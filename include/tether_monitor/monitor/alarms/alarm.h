@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "tether_monitor/monitor/config/alarm_config.h"
+
 namespace tether_monitor::monitor
 {
 /// Life of an alarm (after ISA-18.2); the numbers are those of Alarm.msg.
@@ -12,30 +14,6 @@ enum class AlarmState
   UNACKNOWLEDGED = 1,
   ACKNOWLEDGED = 2,
   RETURNED_UNACKNOWLEDGED = 3
-};
-
-/// Weight of an alarm; the numbers are those of Alarm.msg.
-enum class Severity
-{
-  WARNING = 1,
-  ALARM = 2,
-  CRITICAL = 3
-};
-
-/// Which side of the limit is bad.
-enum class Side
-{
-  ABOVE,
-  BELOW
-};
-
-/// How one alarm behaves in time.
-struct AlarmTiming
-{
-  double on_delay = 0.0;   ///< [s], >= 0: the value must be past the limit this long.
-  double off_delay = 0.0;  ///< [s], >= 0: the value must be back past the deadband this long.
-  double deadband = 0.0;   ///< >= 0, in the unit of the limit: how far back the value must come.
-  bool latch = false;      ///< a returned alarm stays until it is acknowledged.
 };
 
 /// Fixed description of one alarm.
@@ -55,14 +33,14 @@ class Alarm
   explicit Alarm(AlarmDefinition definition) : definition_(std::move(definition)) {}
 
   /**
-   * Looks at the value at time t [s].
+   * Evaluates the value at time t [s].
    *
    * @param value  in the unit of the limit; NaN: unknown, nothing changes and both delays start again.
    * @param s      where along the tether [m]; NaN if nowhere.
    * @return       true if the state changed.
    */
   bool update(double t, double value, double s);
-  /// The operator has seen it. @return true if the state changed.
+  /// The operator acknowledges it. @return true if the state changed.
   bool acknowledge(double t);
   /// Forgets running delays (the clock jumped); the state stays.
   void resetTimers();

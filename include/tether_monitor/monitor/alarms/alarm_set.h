@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "tether_monitor/monitor/config/config.h"
-#include "tether_monitor/monitor/estimate/tether_estimate.h"
+#include "tether_monitor/monitor/alarms/alarm.h"
+#include "tether_monitor/monitor/alarms/alarm_quantities.h"
 
 namespace tether_monitor::monitor
 {
-/// The alarms of one tether. The limit alarm of a quantity has its name, the warning has "_warning" behind it.
+/// The alarms of one tether: a limit alarm and a warning for each of alarmQuantities() that has them.
 class AlarmSet
 {
  public:
   explicit AlarmSet(const Config& config);
 
-  /// Looks at an estimate; values of an INVALID one are unknown, ages are not. @return true if any state changed.
+  /// Evaluates an estimate; values of an INVALID one are unknown, ages are not. @return true if any state changed.
   bool update(const TetherEstimate& estimate);
   /// Acknowledges every alarm at time t [s]. @return how many changed.
   int acknowledge(double t);
@@ -32,19 +32,8 @@ class AlarmSet
   }
 
  private:
-  enum class Quantity
-  {
-    WORKING_UTILISATION,
-    BREAKING_UTILISATION,
-    MIN_TENSION,
-    BEND_RADIUS,
-    AGE
-  };
-
-  void define(const char* name, Quantity quantity, Side side, Severity severity, const AlarmConfig& config);
-
   std::vector<Alarm> alarms_;
-  std::vector<Quantity> quantities_;  // of alarms_, same order
+  std::vector<const AlarmQuantity*> quantities_;  // of alarms_, same order
 };
 
 }  // namespace tether_monitor::monitor

@@ -2,43 +2,15 @@
 
 #include <limits>
 
-#include "tether_monitor/core/assembly/contact_assembly.h"
+#include "tether_monitor/core/assembly/contact_summary.h"
 #include "tether_monitor/core/assembly/station_profile.h"
-#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/estimate/status.h"
+#include "tether_monitor/monitor/measurements/body_state.h"
+
 
 namespace tether_monitor::monitor
 {
-/// How far the numbers of an estimate may be used; the numbers are those of TetherState.msg.
-enum class Status
-{
-  OK = 0,
-  DEGRADED = 1,
-  INVALID = 2
-};
-
-/// Why the status is not OK; the numbers are those of TetherState.msg.
-enum class Reason
-{
-  NONE = 0,
-  NO_INPUT,
-  SETTLING,
-  VESSEL_STALE,
-  VEHICLE_STALE,
-  PAYOUT_STALE,
-  REJECTED_INPUT,
-  NOT_CONVERGED,
-  OUT_OF_RANGE,
-  MESH_COARSE,
-  CLOCK_JUMP,
-  DISAGREEMENT,
-  UNCERTAIN
-};
-
-/// The word of the message constant, without its prefix: "DEGRADED", "VESSEL_STALE".
-const char* describe(Status status);
-const char* describe(Reason reason);
-
-/// What the monitor says of the tether at one time. While INVALID the stations are empty and the numbers NaN.
+/// What the monitor publishes of the tether at one time. While INVALID the stations are empty and the numbers NaN.
 struct TetherEstimate
 {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +22,7 @@ struct TetherEstimate
   bool has_stations = false;      ///< false while INVALID.
 
   double length = NONE;                 ///< unstretched, deployed [m].
-  double payout_rate = NONE;            ///< [m/s]; NaN when nothing tells it.
+  double payout_rate = NONE;            ///< [m/s]; NaN when it is not reported.
   double max_tension = NONE;            ///< [N]
   double max_tension_s = NONE;          ///< [m]
   double min_tension = NONE;            ///< [N]
@@ -75,8 +47,9 @@ struct TetherEstimate
   double vessel_tension_stddev = NONE;    ///< standard deviation [N]; in mode observed, like all that follow.
   double vehicle_tension_stddev = NONE;   ///< [N]
   double vehicle_position_stddev = NONE;  ///< root mean square over the axes [m].
-  double vehicle_velocity_stddev = NONE;  ///< likewise [m/s].
-  core::Vector3 disturbance = core::Vector3::Constant(NONE);  ///< estimated force that nobody told [N].
+  core::Matrix3 vehicle_position_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2].
+  core::Matrix3 vehicle_velocity_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2/s^2].
+  core::Vector3 disturbance = core::Vector3::Constant(NONE);  ///< estimated disturbance force [N].
   double disturbance_stddev = NONE;                           ///< root mean square over the axes [N].
   double vessel_age = NONE;                                   ///< age of the last vessel pose [s].
   double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
@@ -91,7 +64,8 @@ struct TetherEstimate
       min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
       breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius, governing_bend_radius_s,
       vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle,
-      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_velocity_stddev, disturbance,
+      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_position_covariance, vehicle_velocity_covariance,
+      disturbance,
       disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue, payout_age);
   }
 };

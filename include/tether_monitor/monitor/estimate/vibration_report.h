@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tether_monitor/core/analysis/natural_modes.h"
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/core/analysis/vortex_shedding.h"
 
 namespace tether_monitor::monitor
 {
@@ -14,11 +14,12 @@ struct VibrationReport
   std::vector<core::Mode> modes;       ///< the lowest, without shapes.
   double encounter_frequency = 0.0;    ///< of the configured waves as the vessel meets them [Hz]; 0: no waves.
   std::optional<core::Mode> resonant;  ///< the mode nearest to it, if it is within 15 %.
-  core::VortexShedding strumming;      ///< vortex shedding against the natural frequencies.
+  core::VortexShedding vortex_shedding;  ///< against the natural frequencies.
 };
 
-/// Looks at an estimator that has an estimate; else an empty report. Takes milliseconds and allocates: at most
-/// once a second, outside of the stepping path.
-VibrationReport reportVibration(const TetherEstimator& estimator, int modes = 20);
+/// About a state of a model; `vortex_shedding` is taken over. Takes milliseconds and allocates: at most once a
+/// second, outside of the stepping path.
+VibrationReport reportVibration(const core::CableModel& model, const core::CableState& state,
+                                const core::VortexShedding& vortex_shedding, int modes = 20);
 
 }  // namespace tether_monitor::monitor

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <vector>
 
-#include "tether_monitor/core/base/types.h"
-#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/measurements/measured_vector.h"
+#include "tether_monitor/monitor/measurements/rejection.h"
 
 namespace tether_monitor::monitor
 {
@@ -20,16 +19,19 @@ struct VehicleMeasurement
 
   double t = 0.0;  ///< when it was true [s].
   Kind kind = Kind::POSITION;
-  core::Vector3 value = core::Vector3::Zero();
-  core::Vector3 stddev = core::Vector3::Ones();  ///< of every axis, > 0; infinite: not measured.
+  MeasuredVector value;  ///< every measured axis with its accuracy.
 
   /// True for a position that was measured along an axis.
-  bool measuresPosition(int axis) const { return kind == Kind::POSITION && std::isfinite(stddev[axis]); }
+  bool measuresPosition(int axis) const { return kind == Kind::POSITION && value.isMeasured(axis); }
+  /// Of every axis; infinite: not measured.
+  core::Vector3 stddev() const;
+  /// Covariance for a filter that takes all axes: what was not measured has a variance of 1e12.
+  core::Matrix3 noise() const;
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(t, kind, value, stddev);
+    a(t, kind, value);
   }
 };
 
@@ -44,7 +46,9 @@ class MeasurementHistory
 
   MeasurementHistory() { fixes_.reserve(CAPACITY); }
 
-  /// Takes a fix that is later than `earliest` [s]. The oldest goes where there is no room.
+  /// What add() would answer; nothing changes.
+  Rejection check(const VehicleMeasurement& fix, double earliest) const;
+  /// Accepts a measurement that is later than `earliest` [s]. The oldest goes where there is no room.
   Rejection add(const VehicleMeasurement& fix, double earliest);
   void clear();
   /// Forgets what is before t [s].
@@ -65,7 +69,8 @@ class MeasurementHistory
   }
 
  private:
-  bool isFrozen(const VehicleMeasurement& fix);
+  int repeatsOf(const VehicleMeasurement& fix) const;
+  bool isFrozen(const VehicleMeasurement& fix) const;
 
   std::vector<VehicleMeasurement> fixes_;
   double earliest_unprocessed_ = std::numeric_limits<double>::infinity();

@@ -4,54 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "tether_monitor/core/cable/cable_state.h"
-#include "tether_monitor/core/cable/end_trajectory.h"
+#include "tether_monitor/monitor/measurements/body_state.h"
+#include "tether_monitor/monitor/measurements/rejection.h"
 
 namespace tether_monitor::monitor
 {
-/// Pose and rates of a body's reference point, world frame.
-struct BodyState
-{
-  core::Vector3 position = core::Vector3::Zero();                   ///< [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit.
-  core::Vector3 velocity = core::Vector3::Zero();                   ///< [m/s]
-  core::Vector3 angular_velocity = core::Vector3::Zero();           ///< [rad/s], world axes.
-
-  /// Position and velocity of a point fixed in the body, `lever` from the reference point in body axes [m].
-  core::EndMotion attachmentPoint(const core::Vector3& lever) const;
-  /// The reference point of a simulated body that is fixed to a node at `attachment` in body axes [m]; coordinates
-  /// of the state.
-  static BodyState ofNode(const core::CableState& state, std::size_t node, const core::AttitudeState& rotation,
-                          const core::Vector3& attachment);
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(position, orientation, velocity, angular_velocity);
-  }
-};
-
-/// Why a measurement was not taken.
-enum class Rejection
-{
-  NONE,
-  NOT_FINITE,      ///< a number is NaN or infinite.
-  BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
-  OUT_OF_ORDER,    ///< not later than the last one of its kind.
-  REPEATED,        ///< there is one of that time already.
-  TOO_LATE,        ///< older than what can still be put in its place.
-  NOT_MEASURED,    ///< its standard deviation says that the position was not measured, and the mode needs it.
-  FROZEN           ///< the same to the last digit as those before: its source has stopped.
-};
-
-/// Words for a Rejection.
-const char* describe(Rejection rejection);
-
 /**
  * Measured motion of one body: poses, and rates where something measures them.
  *
  * Between two poses: cubic Hermite in position, slerp in orientation. Beyond the last pose: constant velocity. A
- * velocity that nobody measures is the slope of a straight line through the poses of the last VELOCITY_WINDOW.
+ * velocity that is not measured is the slope of a straight line through the poses of the last VELOCITY_WINDOW.
  * Holds the last CAPACITY measurements of each kind; allocates only in the constructor.
  */
 class MotionBuffer
@@ -62,9 +24,12 @@ class MotionBuffer
 
   MotionBuffer();
 
-  /// Takes a pose at time t [s]. The orientation is normalised.
+  /// What addPose() and addTwist() would answer; nothing changes.
+  Rejection checkPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation) const;
+  Rejection checkTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity) const;
+  /// Accepts a pose at time t [s]. The orientation is normalised.
   Rejection addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation);
-  /// Takes measured rates at time t [s], world axes.
+  /// Accepts measured rates at time t [s], world axes.
   Rejection addTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity);
   void clear();
 
@@ -72,7 +37,7 @@ class MotionBuffer
   /// Age at time t of the last pose that is not later than t [s]; infinite without one.
   double age(double t) const;
   /// True if a pose at or after t is known, so that at(t) interpolates.
-  bool covers(double t) const;
+  bool canInterpolate(double t) const;
   /// Time from the pose before the last one that is not later than t to that one [s]; 0 if there are no two.
   double poseInterval(double t) const;
   /// Orientation of the last pose, for rates that are measured in body axes. Identity without one.

@@ -19,7 +19,7 @@ class PayoutBuffer
   static constexpr double FASTEST = 4.5;  ///< [m/s]; faster is no pay-out but a leap of the report.
 
   /**
-   * Takes a report at time t [s].
+   * Accepts a report at time t [s].
    *
    * @param length  [m]
    * @param rate    [m/s]; NaN: the slope from an earlier report, 0.1 s ago or more.
@@ -61,7 +61,7 @@ class PayoutBuffer
   static constexpr std::size_t CAPACITY = 16;
   std::array<Report, CAPACITY> reports_{};  // in order of time
   std::size_t count_ = 0;
-  CorrectionBlender blender_;  // x is the length
+  CorrectionBlender<double> blender_;
 };
 
 }  // namespace tether_monitor::monitor

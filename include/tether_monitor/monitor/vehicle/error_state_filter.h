@@ -63,13 +63,12 @@ class VehicleErrorStateFilter
    */
   void predict(double dt, const core::Vector3& drag, double processNoiseScale);
 
-  /// Squared Mahalanobis normalizedInnovationSquared of a measured position, told as its
-  /// normalizedInnovationSquared from the nominal one [m].
-  double normalizedInnovationSquared(const core::Vector3& offset, const core::Vector3& stddev) const;
-  void correctPosition(const core::Vector3& offset, const core::Vector3& stddev);
+  /// Normalised innovation squared of a position. @param offset  from the nominal one [m]. @param noise  covariance.
+  double normalizedInnovationSquared(const core::Vector3& offset, const core::Matrix3& noise) const;
+  void correctPosition(const core::Vector3& offset, const core::Matrix3& noise);
   /// The same for a measured velocity.
-  double normalizedVelocityInnovationSquared(const core::Vector3& offset, const core::Vector3& stddev) const;
-  void correctVelocity(const core::Vector3& offset, const core::Vector3& stddev);
+  double normalizedVelocityInnovationSquared(const core::Vector3& offset, const core::Matrix3& noise) const;
+  void correctVelocity(const core::Vector3& offset, const core::Matrix3& noise);
   /// Doubts the position by `stddev` more [m].
   void inflatePositionCovariance(double stddev);
 
@@ -88,8 +87,8 @@ class VehicleErrorStateFilter
   /// Best estimate of the relative error of the drag areas [-].
   double dragError() const { return drag_share_ + error_[9]; }
   const Matrix& covariance() const { return covariance_; }
-  core::Vector3 positionStddev() const;
-  core::Vector3 velocityStddev() const { return covariance_.diagonal().segment<3>(3).cwiseMax(0.0).cwiseSqrt(); }
+  core::Matrix3 positionCovariance() const;
+  core::Matrix3 velocityCovariance() const { return covariance_.block<3, 3>(3, 3); }
   core::Vector3 forceStddev() const;
   /// Standard deviation of a tension [N], of the filter's own uncertainty.
   double tensionStddev(const TensionJacobian& slope) const;
@@ -116,8 +115,8 @@ class VehicleErrorStateFilter
   using MeasurementMatrix = Eigen::Matrix<double, 3, STATES>;
   MeasurementMatrix positionJacobian() const;
   MeasurementMatrix velocityJacobian() const;
-  void correct(const MeasurementMatrix& H, const core::Vector3& offset, const core::Vector3& stddev);
-  double mahalanobis(const MeasurementMatrix& H, const core::Vector3& offset, const core::Vector3& stddev) const;
+  void correct(const MeasurementMatrix& H, const core::Vector3& offset, const core::Matrix3& noise);
+  double mahalanobis(const MeasurementMatrix& H, const core::Vector3& offset, const core::Matrix3& noise) const;
 
   ProcessNoiseModel model_;
   TetherLinearization stiffness_;

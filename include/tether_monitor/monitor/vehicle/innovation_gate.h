@@ -36,8 +36,10 @@ class InnovationGate
   /// @param measured  time of the last position known then [s].
   void start(double t, double measured);
 
-  /// Judges a fix and corrects the filter with it. @param offset  of the fix from the nominal motion [m or m/s].
-  void evaluate(const VehicleMeasurement& fix, const core::Vector3& offset, VehicleErrorStateFilter& filter);
+  /// Decides on a measurement and corrects the filter with it. @param offset  from the nominal motion [m or m/s].
+  /// @param noise  its covariance, what is uncertain of the prediction's frame included.
+  void evaluate(const VehicleMeasurement& fix, const core::Vector3& offset, const core::Matrix3& noise,
+                VehicleErrorStateFilter& filter);
 
   /// Factor on the wandering of the disturbance: positions that drift off to one side mean that it has changed.
   double processNoiseScale() const;

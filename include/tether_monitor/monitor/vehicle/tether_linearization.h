@@ -44,12 +44,12 @@ struct TetherLinearization
 };
 
 /**
- * Fits an TetherLinearization about a state.
+ * Fits a TetherLinearization about a state.
  *
  * @param wave_rate  how fast the errors of the vessel's motion are [1/s], > 0.
  * @return           false, and `fit` is as before, if a matrix is singular.
  */
-bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::CableModel& model,
+bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::DeployedCable& cable,
                      const core::CableState& state, double wave_rate, TetherLinearization& fit);
 
 }  // namespace tether_monitor::monitor

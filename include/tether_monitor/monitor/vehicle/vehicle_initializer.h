@@ -5,13 +5,26 @@
 
 namespace tether_monitor::monitor
 {
-/// A steady state to begin with: where the vehicle is, and what force nobody told keeps it there.
+/// A steady state to begin with: where the vehicle is, and what force that nobody reports keeps it there.
 struct VehicleInitialization
 {
   core::NodeField shape;
   core::Vector3 force = core::Vector3::Zero();                    ///< [N], world axes.
   core::Matrix3 position_covariance = core::Matrix3::Identity();  ///< covariance of the position [m^2].
+  core::Matrix3 force_covariance = core::Matrix3::Zero();  ///< of what the uncertain velocity makes of the force [N^2].
+  double force_scale = 1.0;                                ///< of the usual disturbance that it takes [-], >= 1.
+  double chord_excess = 0.0;                               ///< 1 if the measured ends are farther apart than the
+                                                           ///< tether is long, else 0.
   double cost = 0.0;  ///< what is minimised [-]; three is what chance would give.
+};
+
+/// What a start is looked for from.
+struct InitializationInputs
+{
+  core::SteadyEnds ends;  ///< with the measured place of the tether's end at the vehicle, and the common velocity.
+  core::Matrix3 position_covariance = core::Matrix3::Identity();  ///< of that place [m^2], positive definite.
+  core::Vector3 thrust = core::Vector3::Zero();                   ///< that is known [N], world axes.
+  core::Vector3 force_stddev = core::Vector3::Ones();  ///< of the force that is not known, of every axis [N], > 0.
 };
 
 /**
@@ -21,24 +34,18 @@ struct VehicleInitialization
  * a vehicle that hangs where the tether lets it, and with a vehicle held at the measured place; the better of the
  * two.
  *
- * @param model         with the simulated vehicle.
- * @param ends          with the measured place of the tether's end at the vehicle, and the common velocity.
- * @param position_stddev  of that place [m].
- * @param thrust        that is told [N], world axes.
- * @param force_stddev  of the force that is not, of every axis [N].
- * @param start         out: unchanged unless the report says converged.
+ * @param model  with the simulated vehicle.
+ * @param start  out: unchanged unless the report says converged.
  */
 core::SolveReport findVehicleInitialization(core::SteadyStateSolver& statics, const core::CableModel& model,
-                                            const core::SteadyEnds& ends, double position_stddev,
-                                            const core::Vector3& thrust, const core::Vector3& force_stddev,
-                                            VehicleInitialization& start);
+                                            const InitializationInputs& inputs, VehicleInitialization& start);
 
 /**
  * What a velocity of the steady state that is not quite known makes of the force of a start.
  *
  * @param velocity_stddev  of the common velocity [m/s].
  * @return                 covariance of the force [N^2]; without the part of an axis for which there is no steady
- * state.
+ *                         state.
  */
 core::Matrix3 forceCovarianceFromVelocity(core::SteadyStateSolver& statics, const core::CableModel& model,
                                           const core::SteadyEnds& ends, const core::Vector3& velocity_stddev,

@@ -9,6 +9,7 @@
 #include "tether_monitor/monitor/measurements/measurement_history.h"
 #include "tether_monitor/monitor/measurements/ring_buffer.h"
 #include "tether_monitor/monitor/vehicle/innovation_gate.h"
+#include "tether_monitor/monitor/vehicle/vehicle_initializer.h"
 
 namespace tether_monitor::monitor
 {
@@ -25,16 +26,18 @@ class VehicleObserver
   /// @param nodes  of the model.
   VehicleObserver(const Config& config, int nodes);
 
-  /// Takes a measurement; fixes from before the beginning are of no more use and no fault.
+  /// What add() would answer; nothing changes.
+  Rejection check(const VehicleMeasurement& fix) const;
+  /// Accepts a measurement; those from before the beginning are of no more use and no fault.
   Rejection add(const VehicleMeasurement& fix);
   /// Attitude that the vehicle shall turn to.
   void setAttitude(const Eigen::Quaterniond& attitude) { attitude_ = attitude; }
   /// Forgets measurements and motion.
   void clear();
 
-  /// Where the vehicle most probably is at time t [s] by the measurements alone, if it moves with `velocity`; none
-  /// without measurements. initialize() trusts it as far as it is recent.
-  std::optional<core::Vector3> initialPositionEstimate(double t, const core::Vector3& velocity);
+  /// Where the vehicle most probably is at time t [s] by the measurements alone, if it moves with `velocity`, with
+  /// the covariance; none without measurements.
+  std::optional<MeasuredVector> initialPositionEstimate(double t, const core::Vector3& velocity) const;
   /// True if any position has been measured.
   bool hasPosition() const { return newest_ > -std::numeric_limits<double>::infinity(); }
   /// True if there are measurements enough to begin at time t [s].
@@ -43,33 +46,37 @@ class VehicleObserver
   /**
    * Steady state to begin with: the likeliest, given how unsure the position and the disturbance are.
    *
-   * @param model  with the simulated vehicle.
-   * @param ends   with the measured place of the tether's end at the vehicle.
+   * @param model            with the simulated vehicle.
+   * @param ends             with the measured place of the tether's end at the vehicle.
+   * @param covariance       of that place [m^2].
    * @param velocity_stddev  of the common velocity [m/s].
-   * @param shape  out: unchanged unless the report says converged.
+   * @param start            out: unchanged unless the report says converged.
    */
   core::SolveReport initialize(core::SteadyStateSolver& statics, const core::CableModel& model,
-                               const core::SteadyEnds& ends, const core::Vector3& velocity_stddev,
-                               const core::Vector3& thrust, core::NodeField& shape);
-  /// Begins at a state of initialize(). @param origin  of the model's coordinates in the world [m].
-  void begin(const core::CableModel& model, const core::Vector3& origin, core::CableState& state);
-  /// The model with the vehicle of initialize(), what is told and what is not acting on it.
-  core::CableModel modelWithInitialForces(const core::CableModel& model, const core::Vector3& thrust) const;
-  /// Obstacle `k` is told to be elsewhere at time t [s]: snapshot states get it too.
+                               const core::SteadyEnds& ends, const core::Matrix3& covariance,
+                               const core::Vector3& velocity_stddev, const core::Vector3& thrust,
+                               VehicleInitialization& start) const;
+  /// Begins at the state of an initialize(), to which the measured attitude is given.
+  void begin(const core::CableModel& model, const VehicleInitialization& start, core::CableState& state);
+  /// The model with the vehicle of `start`, what is known and what is not acting on it.
+  core::CableModel modelWithInitialForces(const core::CableModel& model, const VehicleInitialization& start,
+                                          const core::Vector3& thrust) const;
+  /// Obstacle `k` is elsewhere at time t [s]: snapshots get it too.
   void moveObstacle(std::size_t k, const core::ObstacleMotion& now, double t);
-  /// Another model from now on: snapshot states of the old one are of no more use.
-  void forgetPast(const core::CableModel& model, const core::CableState& state);
-  /// Another number of nodes; initialize() and begin() must follow.
-  void setNodes(int nodes);
+  /// Another model from now on: snapshots of the old one are of no more use.
+  void forgetPast(const core::CableState& state);
+  /// Takes memory for a model; begin() or the state of an archive must follow.
+  void prepare(const core::CableModel& model);
 
   /**
    * Steps to time t [s], measurements included.
    *
-   * @param paths   from state.time to t.
-   * @param vessel_stddev  of the place of the vessel's end [m]. @param error_rate  how fast its errors are [1/s].
-   * @return        the stepping, that rewindAndReplay included; as AdaptiveStepper::advance().
+   * @param paths          from state.time to t.
+   * @param vessel_stddev  of the place of the vessel's end [m].
+   * @param error_rate     how fast its errors are [1/s].
+   * @return               the stepping, that again included; as AdaptiveStepper::advance().
    */
-  core::SolveReport advance(core::CableModel& model, core::AdaptiveStepper& stepper,
+  core::SolveReport advance(const core::CableModel& model, core::AdaptiveStepper& stepper,
                             const core::BoundaryConditions& paths, const core::Vector3& vessel_stddev,
                             double error_rate, double t, core::CableState& state);
 
@@ -93,15 +100,14 @@ class VehicleObserver
   const VehicleErrorStateFilter& filter() const { return filter_state_.filter; }
   /// Steps that were made rewindAndReplay for late measurements.
   long replayedSteps() const { return replayed_; }
-  /// See MotionBuffer::isValid(). @param original  the observer before it was overwritten.
-  bool isValid(const core::CableModel& model, const VehicleObserver& original) const;
+  /// See MotionBuffer::isValid().
+  bool isValid(const core::CableModel& model) const;
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(log_, filter_state_, attitude_, origin_, initialized_at_, first_stddev_, start_scale_, start_force_,
-      start_place_, start_doubt_, replayed_, steps_, snapshots_, newest_, measurement_interval_,
-      measurement_latency_);
+    a(history_, filter_state_, attitude_, origin_, initialized_at_, replayed_, steps_, snapshots_, newest_,
+      measurement_interval_, measurement_latency_);
   }
 
  private:
@@ -141,41 +147,41 @@ class VehicleObserver
   struct StateSnapshot
   {
     core::CableState state;
-    core::PayoutState payout;
     FilterState filter_state;
 
     template <class Archive>
     void serialize(Archive& a)
     {
-      a(state, payout, filter_state);
+      a(state, filter_state);
     }
   };
 
-  core::SolveReport advanceOneStep(const StepInput& step, core::CableModel& model, core::AdaptiveStepper& stepper,
+  core::SolveReport advanceOneStep(const StepInput& step, const core::CableModel& model, core::AdaptiveStepper& stepper,
                                    core::CableState& state);
-  core::SolveReport rewindAndReplay(double from, core::CableModel& model, core::AdaptiveStepper& stepper,
+  core::SolveReport rewindAndReplay(double from, const core::CableModel& model, core::AdaptiveStepper& stepper,
                                     core::CableState& state);
-  void save(const core::CableModel& model, const core::CableState& state);
+  void save(const core::CableState& state);
   void processMeasurement(const VehicleMeasurement& fix, const core::EndTrajectory& nominal, const StepInput& step,
                           const core::CableModel& model, const core::CableState& state);
+  void updateChordExcess(const core::Vector3& chord, const VehicleMeasurement& fix, const StepInput& step,
+                         const core::CableModel& model, const core::CableState& state);
+  core::Vector3 dragOn(const core::CableModel& model, const core::CableState& state) const;
   static std::size_t stepsFor(const Config& config);
+  double earliestTime() const;
   double oldestUsableTime(double t) const;
   core::EndMotion centre(const core::CableState& state) const;
 
   NavigationConfig navigation_;
   core::RigidBody body_;
   double invalid_timeout_;  // [s]
-  MeasurementHistory log_;
+  MeasurementHistory history_;
+  std::size_t steps_capacity_;
+  std::optional<core::DeployedCable> cable_;  // of the state that is linearised
   core::EndDynamicStiffnessSolver solver_;
   FilterState filter_state_;
   std::optional<Eigen::Quaterniond> attitude_;
   core::Vector3 origin_ = core::Vector3::Zero();
   double initialized_at_;
-  double start_scale_ = 1.0;   // of the usual disturbance
-  double first_stddev_ = 0.0;  // of initialPositionEstimate() [m]
-  core::Vector3 start_force_ = core::Vector3::Zero();
-  core::Matrix3 start_place_ = core::Matrix3::Identity();  // covariance
-  core::Matrix3 start_doubt_ = core::Matrix3::Zero();      // covariance of the force
   long replayed_ = 0;
   RingBuffer<StepInput> steps_;
   RingBuffer<StateSnapshot> snapshots_;

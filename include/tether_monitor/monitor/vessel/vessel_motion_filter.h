@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "tether_monitor/core/cable/end_trajectory.h"
-#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/measurements/correction_blender.h"
+#include "tether_monitor/monitor/measurements/measured_vector.h"
+#include "tether_monitor/monitor/measurements/rejection.h"
 #include "tether_monitor/monitor/vessel/axis_kalman_filter.h"
 #include "tether_monitor/monitor/vessel/noise_estimator.h"
 #include "tether_monitor/monitor/vessel/position_window.h"
@@ -31,18 +33,16 @@ class VesselMotionFilter
   };
 
   static constexpr std::size_t CAPACITY = 1024;  ///< measurements that can be run again.
-  static constexpr double UNMEASURED = 100.0;    ///< a standard deviation from which an axis was not measured [m].
 
   VesselMotionFilter();
 
-  /**
-   * Takes a position of the attachment at time t [s].
-   *
-   * @param stddev  of every axis [m]; NaN or 0: as its own noise says; above UNMEASURED: not measured.
-   */
-  Rejection addPosition(double t, const core::Vector3& position, const core::Vector3& stddev);
+  /// What the next two would answer; nothing changes.
+  Rejection checkPosition(double t, const MeasuredVector& position) const;
+  Rejection checkVelocity(double t, const MeasuredVector& velocity) const;
+  /// Accepts a position of the attachment at time t [s]; where its accuracy is unspecified, its own noise tells.
+  Rejection addPosition(double t, const MeasuredVector& position);
   /// The same for its velocity [m/s].
-  Rejection addVelocity(double t, const core::Vector3& velocity, const core::Vector3& stddev);
+  Rejection addVelocity(double t, const MeasuredVector& velocity);
   /// Begins with a known motion at time t [s], before anything is measured.
   void start(double t, const core::EndMotion& end, double position_stddev, double velocity_stddev);
   void clear();
@@ -90,7 +90,7 @@ class VesselMotionFilter
     double t = 0.0;
     bool is_velocity = false;
     core::Vector3 value = core::Vector3::Zero();
-    core::Vector3 stddev = core::Vector3::Zero();
+    core::Vector3 stddev = core::Vector3::Zero();  // infinite: not measured; 0: not known yet
 
     template <class Archive>
     void serialize(Archive& a)
@@ -112,8 +112,15 @@ class VesselMotionFilter
     }
   };
 
+  static Entry entryOf(double t, bool is_velocity, const MeasuredVector& measured);
+  Rejection check(const Entry& entry) const;
   Rejection add(const Entry& entry);
+  void estimateNoise(Entry& entry);
+  void makeRoom();
+  void runAgainFrom(std::size_t index);
   void run(const Entry& entry);
+  void correctPosition(int i, const Entry& entry);
+  void correctVelocity(int i, const Entry& entry);
   void pushSnapshot(double t);
   static Motion motionOf(const Filters& filters, double t);
   void rampWaveMotion(double t, Motion& motion) const;
@@ -128,7 +135,7 @@ class VesselMotionFilter
   std::array<int, 3> consecutive_outliers_{};
   Filters last_output_;                                          // at the last blend()
   double last_output_time_ = 0.0;                                // time of it
-  core::EndMotion correction_;                                   // of what was shown from what is known
+  Correction<core::Vector3> correction_;                                 // of what was shown from what is known
   core::EndMotion ramp_track_;                                   // of the track that it began to blend
   core::Vector3 track_velocity_stddev_ = core::Vector3::Zero();  // of its velocity
   double blending_since_;

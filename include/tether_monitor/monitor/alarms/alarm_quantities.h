@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/estimate/tether_estimate.h"
+
+namespace tether_monitor::monitor
+{
+/// What an alarm looks at: a value, and where along the tether it is taken [m]; NaN: unknown, nowhere.
+struct AlarmValue
+{
+  double value = TetherEstimate::NONE;
+  double s = TetherEstimate::NONE;
+};
+
+/**
+ * A watched quantity: its limit alarm has its name, its warning has "_warning" behind it.
+ *
+ * The one table of alarms: parameter loader, validation, fingerprint, alarm set, marker colours and the tables of the
+ * documents follow it. A new alarm is an entry and a function here, and a test.
+ */
+struct AlarmQuantity
+{
+  const char* name;     ///< key below monitor.alarms.
+  const char* unit;     ///< of value and limits.
+  const char* meaning;  ///< a phrase for the documents.
+  Side side;
+  Severity severity;  ///< of the limit alarm; a warning is a WARNING.
+  AlarmConfig defaults;
+  std::optional<double> (*derivedLimit)(const Config&);  ///< limit where the configuration has none; null: none.
+  AlarmValue (*value)(const TetherEstimate&);            ///< NaN while unknown.
+  bool is_tension;  ///< its warning looks at the upper confidence bound of the tension.
+};
+
+/// All of them, in the order in which alarms are published. over_tension comes first.
+const std::vector<AlarmQuantity>& alarmQuantities();
+
+/// Name of the quantity behind the over-tension flag.
+extern const char* const OVER_TENSION;
+
+/// Setpoints of a quantity: those of the configuration, else the defaults, with the derived limit in place.
+AlarmConfig alarmConfig(const Config& config, const AlarmQuantity& quantity);
+/// The same by name, to be changed in the configuration. @throws std::out_of_range for an unknown name.
+AlarmConfig& alarmConfig(Config& config, const std::string& name);
+
+/// Every bound of the alarms that `config` violates, one sentence each, named as in the parameter tree.
+std::vector<std::string> validateAlarms(const Config& config);
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tether_monitor/core/base/types.h"
+
+namespace tether_monitor::monitor
+{
+/// How one end of the tether is fastened to its body.
+struct BodyConfig
+{
+  core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
+  std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
+  std::optional<double> position_stddev;  ///< of the vessel in mode observed, without covariance in the message [m];
+                                          ///< none: estimated from the data.
+  std::optional<double> velocity_stddev;  ///< the same of its velocity [m/s].
+};
+
+/// What drives the vehicle end.
+enum class VehicleMode
+{
+  TRACKED,  ///< held on the measured motion.
+  FREE,     ///< a simulated body.
+  OBSERVED  ///< a simulated body that measurements correct.
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
+
+namespace tether_monitor::monitor
+{
+/// The saved state of a TetherEstimator: see TetherEstimator::save() and restore().
+class EstimatorSnapshot
+{
+ public:
+  static std::vector<std::uint8_t> save(const TetherEstimator& estimator);
+  static bool restore(const std::vector<std::uint8_t>& bytes, TetherEstimator& estimator);
+};
+
+}  // namespace tether_monitor::monitor

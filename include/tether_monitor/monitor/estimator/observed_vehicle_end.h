@@ -1,0 +1,64 @@
+#pragma once
+
+#include "tether_monitor/monitor/estimator/vehicle_end.h"
+#include "tether_monitor/monitor/vehicle/vehicle_observer.h"
+
+namespace tether_monitor::monitor
+{
+/// A simulated vehicle that noisy measurements correct, which may come late and out of order: VehicleObserver.
+class ObservedVehicleEnd final : public VehicleEnd
+{
+ public:
+  explicit ObservedVehicleEnd(const Config& config);
+  std::unique_ptr<VehicleEnd> clone() const override { return std::make_unique<ObservedVehicleEnd>(*this); }
+
+  Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist) override;
+  void setThrust(double t, const core::Wrench& thrust) override;
+  bool takesThrust() const override { return true; }
+  void clear() override;
+  bool isReady(double t) const override { return observer_.isReady(t); }
+  double age(double t, bool running) const override { return running ? observer_.age(t) : observer_.measuredAge(t); }
+  double overdue(double age) const override;
+  bool canCoast() const override { return true; }
+  void aim(double t, EndTargets& targets) override { targets.vehicle_age = observer_.age(t); }
+  void aimAtStart(double t, EndTargets& targets) override;
+  core::SolveReport findStart(CableSimulation& simulation, const core::SteadyEnds& ends, const EndTargets& targets,
+                              VehicleInitialization& start) const override;
+  /// The vehicle stays where it was measured: the force on it changes instead.
+  core::SolveReport refineStart(CableSimulation& simulation, const core::SteadyEnds& ends,
+                                const EndTargets& targets, VehicleInitialization& start) const override
+  {
+    return findStart(simulation, ends, targets, start);
+  }
+  core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& start) const override;
+  void begin(const VehicleInitialization& start, CableSimulation& simulation) override;
+  core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
+                            CableSimulation& simulation) override;
+  void moveObstacle(std::size_t k, const CableSimulation& simulation) override;
+  void forgetPast(const CableSimulation& simulation) override { observer_.forgetPast(simulation.state); }
+  void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;
+  Reason invalidReason(const TetherEstimate& estimate, const EndTargets& targets) const override;
+  Reason degradedReason(const TetherEstimate& estimate) const override;
+  const MotionBuffer& track() const override { return track_; }
+  const VehicleObserver* observer() const override { return &observer_; }
+  bool isValid(const core::CableModel& model) const override;
+  void write(core::BinaryWriter& archive) const override { archive(track_, observer_, thrust_); }
+  void read(core::BinaryReader& archive) override { archive(track_, observer_, thrust_); }
+  void prepare(const core::CableModel& model) override { observer_.prepare(model); }
+
+ private:
+  VehicleMeasurement positionFix(const PoseMeasurement& pose) const;
+  VehicleMeasurement velocityFix(const TwistMeasurement& twist) const;
+  Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
+  core::Vector3 thrustInWorld() const { return track_.lastOrientation() * thrust_.force; }
+
+  core::Vector3 attachment_;
+  NavigationConfig navigation_;
+  double pose_timeout_, invalid_timeout_;  // [s]
+  double working_load_;                    // [N]
+  MotionBuffer track_;
+  VehicleObserver observer_;
+  core::Wrench thrust_;
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "tether_monitor/monitor/config/body_config.h"
+#include "tether_monitor/monitor/measurements/correction_blender.h"
+#include "tether_monitor/monitor/measurements/measurements.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+
+namespace tether_monitor::monitor
+{
+/// A body on its measured motion: where the end of the tether on it is.
+class TrackedBody
+{
+ public:
+  /// @param longest_interval  of poses over which a correction is spread [s].
+  TrackedBody(const BodyConfig& body, double longest_interval);
+
+  /// Accepts what one message measured, all of it or nothing: a position must be complete; a velocity that is not is
+  /// left out. @param pose,twist  null: none.
+  Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist);
+  void clear();
+  /// The end of the tether at time t [s], continuous from call to call. Calls in order of t.
+  core::EndMotion attachmentMotion(double t);
+  const MotionBuffer& track() const { return track_; }
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(track_, blender_);
+  }
+
+ private:
+  Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
+
+  core::Vector3 attachment_;
+  double longest_interval_;
+  MotionBuffer track_;
+  CorrectionBlender<core::Vector3> blender_;
+};
+
+}  // namespace tether_monitor::monitor

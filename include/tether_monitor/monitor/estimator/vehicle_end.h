@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "tether_monitor/core/base/binary_archive.h"
+#include "tether_monitor/core/cable/boundary_conditions.h"
+#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/estimate/tether_estimate.h"
+#include "tether_monitor/monitor/estimator/end_targets.h"
+#include "tether_monitor/monitor/measurements/measurements.h"
+#include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/model/cable_simulation.h"
+#include "tether_monitor/monitor/vehicle/vehicle_observer.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * The vehicle's end of the tether, and with it the estimation: inputs up to a time in, motion with its uncertainty
+ * out. Copyable by clone(), restorable by write() and read().
+ */
+class VehicleEnd
+{
+ public:
+  virtual ~VehicleEnd() = default;
+  virtual std::unique_ptr<VehicleEnd> clone() const = 0;
+
+  /// Accepts what one message measured, all of it or nothing. @param pose,twist  null: none.
+  virtual Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist) = 0;
+  /// Thrust on a simulated vehicle at time t [s], body axes.
+  virtual void setThrust(double /*t*/, const core::Wrench& /*thrust*/) {}
+  virtual bool takesThrust() const { return false; }
+  virtual void clear() = 0;
+
+  /// True if there are measurements enough to begin at time t [s].
+  virtual bool isReady(double t) const = 0;
+  /// Age at time t [s] of the last input; infinite while it is missed. @param running  a tether is in motion.
+  virtual double age(double t, bool running) const = 0;
+  /// How long an input has been due when the last is `age` old [s].
+  virtual double overdue(double age) const { return age; }
+  /// True if the vehicle can be simulated on for a while without inputs.
+  virtual bool canCoast() const { return false; }
+  /// The motion at time t [s] for a tether in motion; the vessel's is in `targets`. Calls in order of t.
+  virtual void aim(double t, EndTargets& targets) = 0;
+  /// The motion at time t [s] to begin with; the vessel's is in `targets`.
+  virtual void aimAtStart(double t, EndTargets& targets) = 0;
+
+  /// Steady state to begin with. @param start  out: its shape and, where they are estimated, its forces.
+  virtual core::SolveReport findStart(CableSimulation& simulation, const core::SteadyEnds& ends,
+                                      const EndTargets& targets, VehicleInitialization& start) const = 0;
+  /// The same near a shape that was found, for other drag: `start` in and out.
+  virtual core::SolveReport refineStart(CableSimulation& simulation, const core::SteadyEnds& ends,
+                                        const EndTargets& targets, VehicleInitialization& start) const;
+  /// The model with all the forces of a start.
+  virtual core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& /*start*/) const
+  {
+    return model;
+  }
+  /// Begins at the simulation's state.
+  virtual void begin(const VehicleInitialization& /*start*/, CableSimulation& /*simulation*/) {}
+
+  /// Steps to time t [s] towards the targets. @param paths  of the vessel and of the deployed length.
+  virtual core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
+                                    CableSimulation& simulation) = 0;
+  /// Obstacle `k` is elsewhere than the simulation had it.
+  virtual void moveObstacle(std::size_t /*k*/, const CableSimulation& /*simulation*/) {}
+  /// The simulation's model has changed.
+  virtual void forgetPast(const CableSimulation& /*simulation*/) {}
+
+  /// Writes the vehicle, and what is uncertain, into an estimate whose tensions are known.
+  virtual void describe(CableSimulation& /*simulation*/, TetherEstimate& /*estimate*/) const {}
+  /// What makes the numbers of such an estimate worthless at its time; NONE if nothing does.
+  virtual Reason invalidReason(const TetherEstimate& /*estimate*/, const EndTargets& /*targets*/) const
+  {
+    return Reason::NONE;
+  }
+  /// What makes them doubtful.
+  virtual Reason degradedReason(const TetherEstimate& /*estimate*/) const { return Reason::NONE; }
+
+  /// The poses and rates that came, in order.
+  virtual const MotionBuffer& track() const = 0;
+  /// Null in all modes but observed.
+  virtual const VehicleObserver* observer() const { return nullptr; }
+  /// See MotionBuffer::isValid().
+  virtual bool isValid(const core::CableModel& model) const = 0;
+  virtual void write(core::BinaryWriter& archive) const = 0;
+  virtual void read(core::BinaryReader& archive) = 0;
+  /// Before read(): takes memory for the model that goes with what is read.
+  virtual void prepare(const core::CableModel& /*model*/) {}
+};
+
+/// That of a mode.
+std::unique_ptr<VehicleEnd> makeVehicleEnd(const Config& config);
+
+}  // namespace tether_monitor::monitor

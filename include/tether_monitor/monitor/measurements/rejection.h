@@ -1,0 +1,21 @@
+#pragma once
+
+namespace tether_monitor::monitor
+{
+/// Why a measurement was not accepted.
+enum class Rejection
+{
+  NONE,
+  NOT_FINITE,      ///< a number is NaN or infinite, or a variance is negative.
+  BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
+  OUT_OF_ORDER,    ///< not later than the last one of its kind.
+  REPEATED,        ///< there is one of that time already.
+  TOO_LATE,        ///< older than what can still be put in its place.
+  NOT_MEASURED,    ///< its covariance says that the position was not measured, and the mode needs it.
+  FROZEN           ///< the same to the last digit as those before: a frozen sensor.
+};
+
+/// A sentence about a Rejection.
+const char* describe(Rejection rejection);
+
+}  // namespace tether_monitor::monitor

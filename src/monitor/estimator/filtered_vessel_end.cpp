@@ -1,0 +1,102 @@
+#include "tether_monitor/monitor/estimator/filtered_vessel_end.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double INITIAL_POSITION_STDDEV = 0.1;  // of a motion that is given [m]
+constexpr double INITIAL_VELOCITY_STDDEV = 0.2;  // likewise [m/s]
+
+// Good, if only for a filter that puts late ones in their place.
+bool hasPlace(Rejection rejection)
+{
+  return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
+}
+}  // namespace
+
+Eigen::Quaterniond FilteredVesselEnd::orientationOf(const PoseMeasurement* pose) const
+{
+  return pose && pose->orientation ? *pose->orientation : track_.lastOrientation();
+}
+
+MeasuredVector FilteredVesselEnd::attachmentPosition(const PoseMeasurement& pose) const
+{
+  const core::Vector3 lever = orientationOf(&pose).normalized() * body_.attachment;
+  const MeasuredVector position = pose.position.at(pose.position.value() + lever);
+  return body_.position_stddev ? position.withDefaultStddev(*body_.position_stddev) : position;
+}
+
+MeasuredVector FilteredVesselEnd::attachmentVelocity(const TwistMeasurement& twist,
+                                                     const Eigen::Quaterniond& orientation) const
+{
+  const core::Vector3 lever = orientation.normalized() * body_.attachment;
+  const MeasuredVector velocity =
+      twist.velocity.at(twist.velocity.value() + twist.angular_velocity.cross(lever));
+  return body_.velocity_stddev ? velocity.withDefaultStddev(*body_.velocity_stddev) : velocity;
+}
+
+Rejection FilteredVesselEnd::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
+{
+  Rejection rejection = Rejection::NONE;
+  if (pose)
+    rejection = track_.checkPose(pose->t, pose->position.value(), orientationOf(pose));
+  if (pose && hasPlace(rejection))
+    rejection = filter_.checkPosition(pose->t, attachmentPosition(*pose));
+  if (hasPlace(rejection) && twist)
+    rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+  if (twist && hasPlace(rejection))
+    rejection = filter_.checkVelocity(twist->t, attachmentVelocity(*twist, orientationOf(pose)));
+  return hasPlace(rejection) ? Rejection::NONE : rejection;
+}
+
+Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasurement* twist)
+{
+  const Rejection rejection = check(pose, twist);
+  if (rejection != Rejection::NONE)
+    return rejection;
+  if (pose)
+  {
+    const MeasuredVector position = attachmentPosition(*pose);
+    track_.addPose(pose->t, pose->position.value(), orientationOf(pose));
+    filter_.addPosition(pose->t, position);
+  }
+  if (twist)
+  {
+    track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+    filter_.addVelocity(twist->t, attachmentVelocity(*twist, track_.lastOrientation()));
+  }
+  return Rejection::NONE;
+}
+
+void FilteredVesselEnd::setInitialMotion(double t, const BodyState& vessel)
+{
+  filter_.start(t, vessel.attachmentPoint(body_.attachment), INITIAL_POSITION_STDDEV, INITIAL_VELOCITY_STDDEV);
+}
+
+void FilteredVesselEnd::clear()
+{
+  track_.clear();
+  filter_.clear();
+}
+
+void FilteredVesselEnd::aim(double t, EndTargets& targets)
+{
+  const VesselMotionFilter::Motion vessel = filter_.blend(t);
+  targets.vessel = vessel.end;
+  targets.vessel_age = age(t);
+  targets.vessel_stddev = vessel.position_stddev;
+  targets.vessel_error_rate = VesselMotionFilter::errorRate(vessel);
+  targets.vessel_velocity_stddev = filter_.trackVelocityStddev();
+  targets.is_vessel_ramping_up = filter_.isRampingUp(t);
+}
+
+void FilteredVesselEnd::aimAtStart(double t, EndTargets& targets)
+{
+  aim(t, targets);
+  targets.vessel = filter_.estimateTrack(t);
+  targets.vessel_velocity_stddev = filter_.trackVelocityStddev();
+  filter_.startBlending(t, targets.vessel);
+  targets.is_vessel_ramping_up = filter_.isRampingUp(t);
+}
+
+}  // namespace tether_monitor::monitor

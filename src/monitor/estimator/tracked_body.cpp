@@ -1,0 +1,51 @@
+#include "tether_monitor/monitor/estimator/tracked_body.h"
+
+#include <algorithm>
+
+namespace tether_monitor::monitor
+{
+TrackedBody::TrackedBody(const BodyConfig& body, double longest_interval)
+  : attachment_(body.attachment), longest_interval_(longest_interval)
+{
+}
+
+Rejection TrackedBody::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
+{
+  Rejection rejection = Rejection::NONE;
+  if (pose && !pose->position.isComplete())
+    return Rejection::NOT_MEASURED;
+  if (pose)
+    rejection =
+        track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+  if (rejection == Rejection::NONE && twist)
+    rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+  return rejection;
+}
+
+Rejection TrackedBody::add(const PoseMeasurement* pose, const TwistMeasurement* twist)
+{
+  const Rejection rejection = check(pose, twist);
+  if (rejection != Rejection::NONE)
+    return rejection;
+  if (pose)
+    track_.addPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+  if (twist && twist->velocity.isComplete())
+    track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+  return Rejection::NONE;
+}
+
+void TrackedBody::clear()
+{
+  track_.clear();
+  blender_.reset();
+}
+
+core::EndMotion TrackedBody::attachmentMotion(double t)
+{
+  const core::EndMotion now = track_.at(t).attachmentPoint(attachment_);
+  const auto target = blender_.blend(t, {now.position, now.velocity}, t - track_.age(t),
+                                     std::min(track_.poseInterval(t), longest_interval_));
+  return {target.value, target.rate};
+}
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,11 @@
+#include "tether_monitor/monitor/estimator/tracked_vessel_end.h"
+
+namespace tether_monitor::monitor
+{
+void TrackedVesselEnd::aim(double t, EndTargets& targets)
+{
+  targets.vessel = body_.attachmentMotion(t);
+  targets.vessel_age = age(t);
+}
+
+}  // namespace tether_monitor::monitor

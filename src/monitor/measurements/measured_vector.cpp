@@ -1,0 +1,53 @@
+#include "tether_monitor/monitor/measurements/measured_vector.h"
+
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+bool MeasuredVector::isValid() const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (isMeasured(axis) && !std::isfinite(value_[axis]))
+      return false;
+    if (accuracy_[axis] == Accuracy::SPECIFIED && !(covariance_(axis, axis) > 0.0 && covariance_.row(axis).allFinite()))
+      return false;
+  }
+  return true;
+}
+
+double MeasuredVector::stddev(int axis) const
+{
+  return std::sqrt(covariance_(axis, axis));
+}
+
+void MeasuredVector::reset(int axis, Accuracy accuracy)
+{
+  accuracy_[axis] = accuracy;
+  covariance_.row(axis).setZero();
+  covariance_.col(axis).setZero();
+  if (accuracy == Accuracy::NOT_MEASURED)
+    value_[axis] = 0.0;
+}
+
+MeasuredVector MeasuredVector::at(const core::Vector3& value) const
+{
+  MeasuredVector moved = *this;
+  for (int axis = 0; axis < 3; ++axis)
+    moved.value_[axis] = isMeasured(axis) ? value[axis] : 0.0;
+  return moved;
+}
+
+MeasuredVector MeasuredVector::withDefaultStddev(double stddev) const
+{
+  MeasuredVector specified = *this;
+  for (int axis = 0; axis < 3; ++axis)
+    if (accuracy_[axis] == Accuracy::UNSPECIFIED)
+    {
+      specified.accuracy_[axis] = Accuracy::SPECIFIED;
+      specified.covariance_(axis, axis) = stddev * stddev;
+    }
+  return specified;
+}
+
+}  // namespace tether_monitor::monitor
