@@ -109,7 +109,7 @@ Truth makeTruth(const Case& c, double duration, const Vector3& untold)
   core::SteadyStateSolver statics(model.nodes());
   core::NodeField shape;
   if (!hasPilot(c))
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
   if (!statics.solve(model, start, shape).converged())
     throw std::runtime_error("case " + c.name + " has no steady state");
   core::CableState state(0.0, shape, c.start.velocity);
@@ -117,9 +117,9 @@ Truth makeTruth(const Case& c, double duration, const Vector3& untold)
   Pilot pilot{start.vehicle};
   if (hasPilot(c))
   {
-    pilot.integral = -core::steadyForce(body, model.sea(), start.vehicle, start.velocity) -
+    pilot.integral = -core::steadyForce(body, model.environment(), start.vehicle, start.velocity) -
                      core::endForces(model, state).vehicle;
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
   }
   core::StepperOptions options;
   options.step = TRUE_STEP;
@@ -189,7 +189,6 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
   const auto every = [&](double interval) { return std::max<std::size_t>(1, std::lround(interval / truth.step)); };
   const std::size_t late = std::lround(sensors.latency / truth.step);
   const bool observed = config.vehicle_mode == monitor::VehicleMode::OBSERVED;
-  constexpr double UNMEASURED = 1e3;
   for (std::size_t i = 0; i < truth.vessel.size(); ++i)
   {
     const double t = truth.timeOf(i);
@@ -197,14 +196,16 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     vessel.t = t;
     if (i % every(sensors.satellite_interval) == 0)
     {
-      vessel.position = truth.vessel[i].position + noise(sensors.satellite_stddev);
-      vessel.position_stddev.setConstant(sensors.satellite_stddev);
+      vessel.position = monitor::MeasuredVector::withStddev(truth.vessel[i].position + noise(sensors.satellite_stddev),
+                                                            Vector3::Constant(sensors.satellite_stddev));
       estimator.addVessel(vessel);
     }
     if (i % every(sensors.heave_interval) == 0 && observed)
     {
-      vessel.position = {0.0, 0.0, truth.vessel[i].position.z() + sensors.heave_stddev * normal(generator)};
-      vessel.position_stddev = {UNMEASURED, UNMEASURED, sensors.heave_stddev};
+      const double height = truth.vessel[i].position.z() + sensors.heave_stddev * normal(generator);
+      vessel.position = monitor::MeasuredVector::withStddev({0.0, 0.0, height}, Vector3::Constant(sensors.heave_stddev));
+      vessel.position.setNotMeasured(0);
+      vessel.position.setNotMeasured(1);
       estimator.addVessel(vessel);
     }
     if (!truth.thrust.empty() && config.vehicle_mode != monitor::VehicleMode::TRACKED)
@@ -213,11 +214,13 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     {
       monitor::PoseMeasurement fix;
       fix.t = observed ? t : truth.timeOf(i - late);
-      fix.position = truth.vehicle[i - late].position + noise(sensors.fix_stddev);
+      Vector3 position = truth.vehicle[i - late].position + noise(sensors.fix_stddev);
       const Vector3 away = noise(1.0).normalized() * (5.0 + 45.0 * share(generator));
       if (share(generator) < sensors.outliers)
-        fix.position += away;
-      if (!sensors.fault || sensors.fault(truth.timeOf(i - late), fix.position))
+        position += away;
+      const bool is_sent = !sensors.fault || sensors.fault(truth.timeOf(i - late), position);
+      fix.position = position;
+      if (is_sent)
         estimator.addVehicle(fix);
     }
     const double begin = cpuTime();
@@ -236,8 +239,11 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
       trail.limit_alarm =
           trail.limit_alarm || (alarm.definition().name == "over_tension" && alarm.isAnnunciated());
   }
-  trail.repeated_steps = estimator.observer().replayedSteps();
-  trail.innovations = estimator.observer().innovations();
+  if (const monitor::VehicleObserver* observer = estimator.vehicle().observer())
+  {
+    trail.repeated_steps = observer->replayedSteps();
+    trail.innovations = observer->innovations();
+  }
   return trail;
 }
 

@@ -218,10 +218,9 @@ std::vector<Case> cases()
 Record run(const Case& c, int elements, const core::StepperOptions& options, const core::kernel::Kernel* kernel)
 {
   Record record;
-  core::CableModel model(c.tether, elements, c.sea);
-  model.setBodies(c.bodies);
+  core::CableModel model = core::CableModel(c.tether, elements, c.sea).withBodies(c.bodies);
   if (kernel)
-    model.setKernel(*kernel);
+    model = model.withKernel(*kernel);
   core::NodeField shape;
   core::SteadyStateSolver statics(model.nodes());
   if (!statics.solve(model, c.start, shape).converged())

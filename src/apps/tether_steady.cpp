@@ -97,7 +97,7 @@ int findSteadyState(const Arguments& arguments)
   checkPlace(config, "vessel", vessel + config.vessel.attachment);
   if (!is_free)
     checkPlace(config, "vehicle", vehicle + config.vehicle.attachment);
-  replay::makeFolder(arguments.out);
+  files::makeFolder(arguments.out);
 
   if (config.environment.waves.amplitude > 0.0 && !arguments.quiet)
     std::cout << "notice: waves are left out of a steady state\n";

@@ -1,5 +1,6 @@
 #include "tether_monitor/params/load_simulation.h"
 
+#include "tether_monitor/params/load_bodies.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/parameter_reader.h"
 

@@ -28,7 +28,7 @@ std::vector<double> outputTimes(const Motion& motion, double rate)
 }
 
 // Gives a row to the estimator; what it refuses shows in the status.
-void take(const MeasurementRow& row, monitor::TetherEstimator& estimator)
+void add(const MeasurementRow& row, monitor::TetherEstimator& estimator)
 {
   using monitor::Rejection;
   const auto note = [&](Rejection rejection)
@@ -83,7 +83,10 @@ void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::T
       [&](double t, bool is_first)
       {
         const monitor::EndTargets ends = targets(motion, estimator.config(), t);
-        is_first ? estimator.begin(t, ends) : estimator.advance(t, ends);
+        if (is_first)
+          estimator.begin(t, ends);
+        else
+          estimator.advance(t, ends);
       });
 }
 
@@ -99,10 +102,10 @@ void replayMeasurements(const RecordedMeasurements& measurements, const Motion& 
       [&](double t, bool)
       {
         for (; next < rows.size() && rows[next].t <= t; ++next)
-          take(rows[next], estimator);
+          add(rows[next], estimator);
         if (motion.hasPayout())
           estimator.addPayout(t, motion.payout(t).length, motion.payout(t).rate);
-        if (has_begun || !estimator.observer().hasPosition())
+        if (has_begun || !estimator.vehicle().observer()->hasPosition())
         {
           estimator.tick(t);
           return;

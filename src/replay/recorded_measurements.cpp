@@ -1,6 +1,7 @@
 #include "tether_monitor/replay/recorded_measurements.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -9,7 +10,6 @@ namespace tether_monitor::replay
 namespace
 {
 constexpr double FIRST_SECONDS = 10.0;  // [s] of rows that tell the vessel's velocity at the first
-constexpr double NONE = monitor::PoseMeasurement::UNTOLD;
 
 // The columns of one body in one row.
 class BodyColumns
@@ -24,46 +24,46 @@ class BodyColumns
     for (const char* name : {"x", "y", "z"})
       if (!table.find(body + name))
         throw std::runtime_error(atHeader() + "column " + body + name + " is missing");
-    whole({"vx", "vy", "vz"});
-    whole({"qx", "qy", "qz", "qw"});
+    requireAllOrNone({"vx", "vy", "vz"});
+    requireAllOrNone({"qx", "qy", "qz", "qw"});
   }
 
-  void read(std::size_t row, double t, bool may_be_height_alone, std::optional<monitor::PoseMeasurement>& pose,
-            std::optional<monitor::TwistMeasurement>& rates) const
+  /// @param may_be_height_alone  a row without x and y is a measured height, not an error.
+  std::optional<monitor::PoseMeasurement> pose(std::size_t row, double t, bool may_be_height_alone) const
   {
     const core::Vector3 place(at(row, "x"), at(row, "y"), at(row, "z"));
-    const bool height_alone =
+    if (place.array().isNaN().all())
+      return std::nullopt;
+    const bool is_height_alone =
         may_be_height_alone && std::isnan(place.x()) && std::isnan(place.y()) && !std::isnan(place.z());
-    const Eigen::Quaterniond q(at(row, "qw"), at(row, "qx"), at(row, "qy"), at(row, "qz"));
-    if (place.hasNaN() && !place.array().isNaN().all() && !height_alone)
+    if (place.hasNaN() && !is_height_alone)
       fail(row, body_ + "x, y and z must all be there or all be empty");
-    if (!place.array().isNaN().all())
+    monitor::PoseMeasurement pose;
+    pose.t = t;
+    const double stddev = at(row, "stddev");
+    if (stddev <= 0.0)
+      fail(row, body_ + "stddev must be > 0 m");
+    if (std::isnan(stddev))
+      pose.position = place;
+    else
+      pose.position = monitor::MeasuredVector::withStddev(place, core::Vector3::Constant(stddev));
+    if (is_height_alone)
     {
-      pose.emplace();
-      pose->t = t;
-      pose->position = place;
-      const double stddev = at(row, "stddev");
-      if (stddev <= 0.0)
-        fail(row, body_ + "stddev must be > 0 m");
-      pose->position_stddev.setConstant(stddev);
-      if (height_alone)
-        pose->position.head<2>().setZero(),
-            pose->position_stddev.head<2>().setConstant(monitor::VesselMotionFilter::UNMEASURED * 10.0);
-      pose->orientation_stddev = std::isnan(q.norm()) ? 10.0 : 0.0;
-      if (!std::isnan(q.norm()) && std::abs(q.norm() - 1.0) > 0.01)
-        fail(row, body_ + "q is not a unit quaternion");
-      if (!std::isnan(q.norm()))
-        pose->orientation = q.normalized();
+      pose.position.setNotMeasured(0);
+      pose.position.setNotMeasured(1);
     }
+    pose.orientation = orientation(row);
+    return pose;
+  }
+
+  std::optional<monitor::TwistMeasurement> rates(std::size_t row, double t) const
+  {
     const core::Vector3 velocity(at(row, "vx"), at(row, "vy"), at(row, "vz"));
-    if (velocity.hasNaN() && !velocity.array().isNaN().all())
+    if (velocity.array().isNaN().all())
+      return std::nullopt;
+    if (velocity.hasNaN())
       fail(row, body_ + "vx, vy and vz must all be there or all be empty");
-    if (!velocity.hasNaN())
-    {
-      rates.emplace();
-      rates->t = t;
-      rates->velocity = velocity;
-    }
+    return monitor::TwistMeasurement{t, velocity, core::Vector3::Zero()};
   }
 
  private:
@@ -72,7 +72,16 @@ class BodyColumns
   {
     throw std::runtime_error(table_.path + ", line " + std::to_string(table_.lines[row]) + ": " + what);
   }
-  void whole(const std::vector<std::string>& names) const
+  std::optional<Eigen::Quaterniond> orientation(std::size_t row) const
+  {
+    const Eigen::Quaterniond q(at(row, "qw"), at(row, "qx"), at(row, "qy"), at(row, "qz"));
+    if (std::isnan(q.norm()))
+      return std::nullopt;
+    if (std::abs(q.norm() - 1.0) > 0.01)
+      fail(row, body_ + "q is not a unit quaternion");
+    return q.normalized();
+  }
+  void requireAllOrNone(const std::vector<std::string>& names) const
   {
     std::size_t there = 0;
     for (const std::string& name : names)
@@ -85,7 +94,7 @@ class BodyColumns
   double at(std::size_t row, const std::string& name) const
   {
     const auto column = table_.find(body_ + name);
-    return column ? table_.rows[row][*column] : NONE;
+    return column ? table_.rows[row][*column] : std::numeric_limits<double>::quiet_NaN();
   }
 
   const files::CsvTable& table_;
@@ -113,12 +122,14 @@ RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
     if (i > 0 && !(row.t > rows_.back().t))
       throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) +
                                ": t does not increase from the row before");
-    vessel.read(i, row.t, true, row.vessel, row.vessel_rates);
-    vehicle.read(i, row.t, false, row.vehicle, row.vehicle_rates);
+    row.vessel = vessel.pose(i, row.t, true);
+    row.vessel_rates = vessel.rates(i, row.t);
+    row.vehicle = vehicle.pose(i, row.t, false);
+    row.vehicle_rates = vehicle.rates(i, row.t);
     rows_.push_back(row);
   }
   const std::optional<monitor::PoseMeasurement>& first = rows_.front().vessel;
-  if (!first || first->position_stddev.x() > monitor::VesselMotionFilter::UNMEASURED)
+  if (!first || !first->position.isComplete())
     throw std::runtime_error(table.path + ", line " + std::to_string(table.lines.front()) +
                              ": the first row must have the vessel's position");
 }
@@ -126,11 +137,11 @@ RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
 monitor::BodyState RecordedMeasurements::vesselAtFirstRow() const
 {
   monitor::BodyState state;
-  state.position = rows_.front().vessel->position;
-  state.orientation = rows_.front().vessel->orientation;
+  state.position = rows_.front().vessel->position.value();
+  state.orientation = rows_.front().vessel->orientation.value_or(Eigen::Quaterniond::Identity());
   if (rows_.front().vessel_rates)
   {
-    state.velocity = rows_.front().vessel_rates->velocity;
+    state.velocity = rows_.front().vessel_rates->velocity.value();
     return state;
   }
   double n = 0.0, mean_t = 0.0, square = 0.0;
@@ -139,14 +150,14 @@ monitor::BodyState RecordedMeasurements::vesselAtFirstRow() const
   {
     if (row.t > rows_.front().t + FIRST_SECONDS)
       break;
-    if (!row.vessel || row.vessel->position_stddev.x() > monitor::VesselMotionFilter::UNMEASURED)
+    if (!row.vessel || !row.vessel->position.isComplete())
       continue;
     n += 1.0;
     const double dt = row.t - mean_t;
     mean_t += dt / n;
-    mean += (row.vessel->position - mean) / n;
+    mean += (row.vessel->position.value() - mean) / n;
     square += dt * (row.t - mean_t);
-    product += dt * (row.vessel->position - mean);
+    product += dt * (row.vessel->position.value() - mean);
   }
   if (square > 0.0)
     state.velocity = product / square;

@@ -1,72 +1,10 @@
 #include "tether_monitor/replay/result_files.h"
 
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 
 namespace tether_monitor::replay
 {
 using monitor::TetherEstimate;
-
-CsvWriter::CsvWriter(const std::string& path, const std::string& header)
-  : path_(path), file_(std::fopen(path.c_str(), "w"))
-{
-  if (!file_)
-    throw std::runtime_error("cannot write " + path);
-  std::fprintf(file_.get(), "%s\n", header.c_str());
-}
-
-void CsvWriter::separate()
-{
-  if (row_has_fields_)
-    std::fputc(',', file_.get());
-  row_has_fields_ = true;
-}
-
-CsvWriter& CsvWriter::number(double value)
-{
-  separate();
-  if (std::isnan(value))
-    std::fputs("nan", file_.get());
-  else
-    std::fprintf(file_.get(), "%.10g", value);
-  return *this;
-}
-
-CsvWriter& CsvWriter::time(double t)
-{
-  separate();
-  std::fprintf(file_.get(), "%.15g", t);
-  return *this;
-}
-
-CsvWriter& CsvWriter::text(const std::string& value)
-{
-  separate();
-  std::fputs(value.c_str(), file_.get());
-  return *this;
-}
-
-void CsvWriter::endRow()
-{
-  row_has_fields_ = false;
-  if (std::fputc('\n', file_.get()) == EOF || std::ferror(file_.get()))
-    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
-}
-
-void CsvWriter::close()
-{
-  if (std::fflush(file_.get()) != 0)
-    throw std::runtime_error("cannot write " + path_ + " (is the disk full?)");
-}
-
-void makeFolder(const std::string& path)
-{
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path))
-    throw std::runtime_error("cannot make the folder " + path + (error ? ": " + error.message() : ""));
-}
 
 namespace
 {
@@ -109,10 +47,10 @@ void EndsFile::write(const TetherEstimate& e)
   csv_.text(describe(e.status));
   if (vehicle_ == VehicleColumns::RELATIVE)
   {
-    const core::Vector3 way = e.has_stations
+    const core::Vector3 chord = e.has_stations
                                   ? core::Vector3(e.stations.position.back() - e.stations.position.front())
                                   : core::Vector3::Constant(NONE);
-    csv_.number(way.x()).number(way.y()).number(way.z());
+    csv_.number(chord.x()).number(chord.y()).number(chord.z());
   }
   if (vehicle_ == VehicleColumns::POSE || vehicle_ == VehicleColumns::OBSERVED)
   {
@@ -168,8 +106,8 @@ void ShapeFile::write(const TetherEstimate& e)
 
 void writeModes(const std::string& folder, const std::vector<core::Mode>& modes, const std::vector<double>& node_s)
 {
-  CsvWriter frequencies(folder + "/modes.csv", "mode,kind,frequency_hz");
-  CsvWriter shapes(folder + "/mode_shapes.csv", "mode,s,dx,dy,dz");
+  files::CsvWriter frequencies(folder + "/modes.csv", "mode,kind,frequency_hz");
+  files::CsvWriter shapes(folder + "/mode_shapes.csv", "mode,s,dx,dy,dz");
   for (std::size_t k = 0; k < modes.size(); ++k)
   {
     const double number = static_cast<double>(k + 1);

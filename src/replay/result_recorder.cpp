@@ -21,7 +21,7 @@ double cpuClock()
 
 std::string prepared(const std::string& folder)
 {
-  makeFolder(folder);
+  files::makeFolder(folder);
   return folder;
 }
 
@@ -72,7 +72,7 @@ void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
   ++status_count_[static_cast<int>(e.status)];
   if (e.reason != monitor::Reason::NONE)
     ++reason_count_[describe(e.reason)];
-  const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
+  const std::vector<core::Obstacle>& obstacles = estimator.simulation().model.environment().obstacles();
   if (!contacts_ && !obstacles.empty())
     contacts_ = std::make_unique<ContactsFile>(folder_);
   if (contacts_)
@@ -90,12 +90,12 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator)
   nlohmann::json summary;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
-  summary["elements"] = estimator.model().elements();
-  summary["largest_step"] = estimator.mesh().step;
-  summary["expected_error"] = orNull(estimator.mesh().error);
-  summary["steps"] = estimator.count().steps;
-  summary["iterations"] = estimator.count().iterations;
-  summary["rejected_steps"] = estimator.count().rejected;
+  summary["elements"] = estimator.simulation().model.elements();
+  summary["largest_step"] = estimator.simulation().mesh.step;
+  summary["expected_error"] = orNull(estimator.simulation().mesh.error);
+  summary["steps"] = estimator.simulation().count.steps;
+  summary["iterations"] = estimator.simulation().count.iterations;
+  summary["rejected_steps"] = estimator.simulation().count.rejected;
   summary["worst_step_us"] = 1e6 * worst_step_;
   summary["max_tension"] = orNull(max_tension_);
   summary["max_tension_t"] = orNull(max_tension_t_);

@@ -16,14 +16,14 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
 
   SteadyState result;
   result.estimate = estimator.begin(0.0, ends);
-  result.report = estimator.lastSolve();
+  result.report = estimator.simulation().last_solve;
   if (!result.estimate.has_stations)
     return result;
-  result.strumming = estimator.strumming();
+  result.vortex_shedding = estimator.vortexShedding();
   if (modes > 0)
-    result.modes = core::naturalModes(estimator.model(), estimator.state(), modes);
-  for (int i = 0; i < estimator.model().nodes(); ++i)
-    result.node_s.push_back(estimator.model().arcLength(i));
+    result.modes = core::naturalModes(estimator.simulation().model, estimator.simulation().state, modes);
+  for (int i = 0; i < estimator.simulation().cable.nodes(); ++i)
+    result.node_s.push_back(estimator.simulation().cable.arcLength(i));
   return result;
 }
 

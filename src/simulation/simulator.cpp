@@ -4,8 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/assembly/deployed_cable.h"
 #include "tether_monitor/core/base/bounds_check.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
 #include "tether_monitor/core/solve/steady_state_solver.h"
 
 namespace tether_monitor::simulation
@@ -51,7 +52,7 @@ void Simulator::start()
     body.force += simulation_.vehicle.thrust;  // level, its axes those of the world
   }
   if (!holds)
-    model_.setBodies({std::nullopt, body});
+    model_ = model_.withBodies({std::nullopt, body});
   core::NodeField shape;
   core::SteadyStateSolver statics(model_.nodes());
   const core::SolveReport found = statics.solve(model_, ends, shape);
@@ -63,15 +64,13 @@ void Simulator::start()
   core::initializeContact(model_, state_);
   if (holds)
   {
-    const core::AttachmentMotion at{ends.vehicle, velocity, core::Vector3::Zero()};
-    core::EnvironmentModel calm = model_.sea();
-    calm.withoutWaves();
-    const core::Vector3 others = core::steadyForce(body, calm, at.position, velocity);
-    pilot_.emplace(simulation_.vehicle, -others - core::endForces(model_, state_).vehicle);
+    const core::Vector3 others =
+        core::steadyForce(body, model_.environment().withoutWaves(), ends.vehicle, velocity);
+    vehicle_autopilot_.emplace(simulation_.vehicle, -others - core::endForces(model_, state_).vehicle);
   }
   body.force = simulation_.vehicle.body.force;
-  model_.setBodies({ship, body});
-  helmsman_.emplace(plan, ship, config_.environment.water_density);
+  model_ = model_.withBodies({ship, body});
+  vessel_autopilot_.emplace(plan, ship, config_.environment.water_density);
   core::StepperOptions options = config_.solver;
   options.scheme = core::Scheme::GENERALIZED_ALPHA;
   stepper_.emplace(model_, options);
@@ -93,16 +92,16 @@ core::PayoutTrajectory Simulator::orderedPayout(double dt)
   for (const WinchCommand& candidate : simulation_.winch)
     if (candidate.time <= state_.time)
       order = &candidate;
-  const double left = order ? order->length - model_.length() : 0.0;
+  const double left = order ? order->length - length() : 0.0;
   const double a = simulation_.winch_acceleration;
   double wanted = 0.0;
   if (order && std::abs(left) > 1e-6)
     wanted = std::copysign(std::min({order->rate, std::sqrt(a * std::abs(left)), std::abs(left) / dt}), left);
   const double before = winch_rate_;
   winch_rate_ = before + std::clamp(wanted - before, -a * dt, a * dt);
-  const double length = model_.length() + 0.5 * dt * (before + winch_rate_);
-  return core::PayoutTrajectory::between(state_.time, {model_.length(), before, 0.0}, state_.time + dt,
-                                         {length, winch_rate_, 0.0});
+  const double after = length() + 0.5 * dt * (before + winch_rate_);
+  return core::PayoutTrajectory::between(state_.time, {length(), before, 0.0}, state_.time + dt,
+                                         {after, winch_rate_, 0.0});
 }
 
 bool Simulator::advance(double t)
@@ -111,9 +110,9 @@ bool Simulator::advance(double t)
   {
     const double dt = std::min(STEP, t - state_.time);
     core::BoundaryConditions drive;
-    drive.vessel_thrust = helmsman_->steer(vessel(), dt);
-    if (pilot_)
-      vehicle_thrust_ = pilot_->steer(vehicle(), dt);
+    drive.vessel_thrust = vessel_autopilot_->steer(vessel(), dt);
+    if (vehicle_autopilot_)
+      vehicle_thrust_ = vehicle_autopilot_->steer(vehicle(), dt);
     drive.vehicle_thrust = vehicle_thrust_;
     if (hasWinch())
     {
@@ -123,7 +122,7 @@ bool Simulator::advance(double t)
       else
       {
         winch_rate_ = 0.0;
-        drive.payout = core::PayoutTrajectory::constant(model_.length());
+        drive.payout = core::PayoutTrajectory::constant(length());
       }
     }
     if (!stepper_->advance(model_, drive, state_.time + dt, state_).converged())

@@ -11,7 +11,6 @@ constexpr double SPEED_TIME = 8.0;          // [s] in which a wrong speed is put
 constexpr double HEADING_TIME = 6.0;        // [s] likewise the heading
 constexpr double FASTEST_TURN = 0.06;       // [rad/s]
 constexpr double STATION_BANDWIDTH = 0.15;  // [rad/s] of dynamic positioning
-constexpr double PILOT_BANDWIDTH = 0.8;     // [rad/s] of a vehicle's position control
 
 double yawOf(const Eigen::Quaterniond& q)
 {
@@ -32,19 +31,19 @@ VesselAutopilot::VesselAutopilot(const VesselPlan& plan, const core::RigidBody& 
 
 core::Wrench VesselAutopilot::steer(const monitor::BodyState& vessel, double dt)
 {
-  const auto way = [&]
+  const auto remaining = [&]
   {
     core::Vector3 to = plan_.waypoints[next_].position - vessel.position;
     to.z() = 0.0;
     return to;
   };
-  while (next_ < plan_.waypoints.size() && way().norm() < plan_.acceptance)
+  while (next_ < plan_.waypoints.size() && remaining().norm() < plan_.acceptance)
     ++next_;
   double heading = plan_.heading, speed = plan_.waypoints.empty() ? plan_.speed : 0.0;
   const double yaw = yawOf(vessel.orientation);
   if (next_ < plan_.waypoints.size())
   {
-    heading = std::atan2(way().y(), way().x());
+    heading = std::atan2(remaining().y(), remaining().x());
     speed = plan_.waypoints[next_].speed;
   }
   else if (!plan_.waypoints.empty())
@@ -64,67 +63,25 @@ core::Wrench VesselAutopilot::steer(const monitor::BodyState& vessel, double dt)
   const double rate = std::clamp(wrapped(heading - yaw) / HEADING_TIME, -FASTEST_TURN, FASTEST_TURN);
   thrust.torque.z() = inertia / (0.3 * HEADING_TIME) * (rate - vessel.angular_velocity.z());
   if (plan_.waypoints.empty() && plan_.speed == 0.0)
-  {
-    // Nowhere to go: dynamic positioning at the start.
-    core::Vector3 off = plan_.start - vessel.position;
-    off.z() = 0.0;
-    drift_ += dt * off;
-    const double w = STATION_BANDWIDTH;
-    const core::Vector3 m = core::Vector3::Constant(ship_.mass) + ship_.added_mass;
-    const core::Vector3 push = w * w * off - 1.6 * w * vessel.velocity + 0.1 * w * w * w * drift_;
-    thrust.force = m.cwiseProduct(vessel.orientation.conjugate() * push);
-    thrust.force.z() = 0.0;
-  }
+    thrust.force = stationKeepingForce(vessel, dt);
   // A ship that slips sideways wants to turn further across: the rudder holds against it.
   const core::Vector3 u = vessel.orientation.conjugate() * vessel.velocity;
   thrust.torque.z() += (ship_.added_mass.y() - ship_.added_mass.x()) * u.x() * u.y();
   return thrust;
 }
 
-VehicleAutopilot::VehicleAutopilot(const VehiclePlan& plan, const core::Vector3& balance)
-  : plan_(plan), target_(plan.start), balance_(balance)
+// Dynamic positioning at the start.
+core::Vector3 VesselAutopilot::stationKeepingForce(const monitor::BodyState& vessel, double dt)
 {
-}
-
-core::Wrench VehicleAutopilot::steer(const monitor::BodyState& vehicle, double dt)
-{
-  core::Vector3 wanted = core::Vector3::Zero();
-  if (next_ < plan_.waypoints.size())
-  {
-    const Waypoint& waypoint = plan_.waypoints[next_];
-    const core::Vector3 way = waypoint.position - target_;
-    if ((waypoint.position - vehicle.position).norm() < plan_.acceptance)
-      ++next_;
-    else
-      wanted = std::min(waypoint.speed, 0.4 * way.norm()) * way.normalized();
-    if (way.norm() < 1e-9)
-      wanted.setZero();
-  }
-  target_velocity_ += std::min(dt / 2.0, 1.0) * (wanted - target_velocity_);
-  // The target waits for a vehicle that cannot follow.
-  const double leash = std::clamp(1.5 - 0.5 * (target_ - vehicle.position).norm(), 0.0, 1.0);
-  target_ += leash * dt * target_velocity_;
-
-  const double w = PILOT_BANDWIDTH;
-  const core::RigidBody& body = plan_.body;
-  const core::Vector3 mass = core::Vector3::Constant(body.mass) + body.added_mass;
-  const core::Vector3 error = target_ - vehicle.position;
-  balance_ += mass.mean() * 0.15 * w * w * w * dt * error;
-  balance_ = balance_.cwiseMax(-plan_.largest_thrust).cwiseMin(plan_.largest_thrust);
-  const core::Vector3 force =
-      mass.mean() * (w * w * error + 1.6 * w * (leash * target_velocity_ - vehicle.velocity)) + balance_;
-  core::Wrench thrust;
-  thrust.force = vehicle.orientation.conjugate() * force;
-  if (thrust.force.norm() > plan_.largest_thrust)
-    thrust.force *= plan_.largest_thrust / thrust.force.norm();
-
-  const core::Vector3 spin = vehicle.orientation.conjugate() * vehicle.angular_velocity;
-  Eigen::Quaterniond off = vehicle.orientation.conjugate();  // level, heading zero
-  if (off.w() < 0.0)
-    off.coeffs() *= -1.0;
-  const core::Vector3 inertia = body.inertia + body.added_inertia;
-  thrust.torque = inertia.cwiseProduct(w * w * 2.0 * off.vec() - 1.6 * w * spin);
-  return thrust;
+  core::Vector3 off = plan_.start - vessel.position;
+  off.z() = 0.0;
+  drift_ += dt * off;
+  const double w = STATION_BANDWIDTH;
+  const core::Vector3 m = core::Vector3::Constant(ship_.mass) + ship_.added_mass;
+  const core::Vector3 push = w * w * off - 1.6 * w * vessel.velocity + 0.1 * w * w * w * drift_;
+  core::Vector3 force = m.cwiseProduct(vessel.orientation.conjugate() * push);
+  force.z() = 0.0;
+  return force;
 }
 
 }  // namespace tether_monitor::simulation

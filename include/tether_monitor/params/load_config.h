@@ -19,7 +19,4 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
 /// The same from a YAML file; file names in it are counted from its folder. @throws also as readYamlFile().
 monitor::Config loadConfigFile(const std::string& path);
 
-/// The constants of a simulated body among the keys of `in`, faults collected there. Its attachment is not read.
-core::RigidBody loadRigidBody(ParameterReader& in);
-
 }  // namespace tether_monitor::params

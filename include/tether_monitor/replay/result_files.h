@@ -1,46 +1,14 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "tether_monitor/core/analysis/natural_modes.h"
+#include "tether_monitor/files/csv_writer.h"
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 
 namespace tether_monitor::replay
 {
-/// A CSV file that is being written. Numbers keep 10 digits; NaN is "nan".
-class CsvWriter
-{
- public:
-  /// @throws std::runtime_error naming the file if it cannot be made.
-  CsvWriter(const std::string& path, const std::string& header);
-
-  CsvWriter& number(double value);
-  /// A time [s] with 15 digits, so that seconds since 1970 keep their microseconds.
-  CsvWriter& time(double t);
-  CsvWriter& text(const std::string& value);
-  /// Ends the row. @throws std::runtime_error naming the file if writing failed.
-  void endRow();
-  /// Writes what is buffered. @throws as endRow().
-  void close();
-
- private:
-  struct Closer
-  {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void separate();
-
-  std::string path_;
-  std::unique_ptr<std::FILE, Closer> file_;
-  bool row_has_fields_ = false;
-};
-
-/// Makes a folder with its parents. @throws std::runtime_error naming it if that is impossible.
-void makeFolder(const std::string& path);
-
 /// What ends.csv tells of the vehicle.
 enum class VehicleColumns
 {
@@ -60,7 +28,7 @@ class EndsFile
 
  private:
   VehicleColumns vehicle_;
-  CsvWriter csv_;
+  files::CsvWriter csv_;
 };
 
 /// contacts.csv: forces of the tether on obstacles, a row an obstacle that it touches.
@@ -72,7 +40,7 @@ class ContactsFile
   void close() { csv_.close(); }
 
  private:
-  CsvWriter csv_;
+  files::CsvWriter csv_;
 };
 
 /// shape.csv: the stations of an estimate, a row a station. INVALID estimates have none.
@@ -84,7 +52,7 @@ class ShapeFile
   void close() { csv_.close(); }
 
  private:
-  CsvWriter csv_;
+  files::CsvWriter csv_;
 };
 
 /// modes.csv (mode, kind, frequency) and mode_shapes.csv (displacement of every node in every mode).
@@ -101,7 +69,7 @@ class AlarmsFile
   void close() { csv_.close(); }
 
  private:
-  CsvWriter csv_;
+  files::CsvWriter csv_;
   std::vector<monitor::AlarmState> last_;
 };
 

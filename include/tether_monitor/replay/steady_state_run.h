@@ -16,7 +16,7 @@ struct SteadyState
   monitor::TetherEstimate estimate;
   core::SolveReport report;
   std::vector<core::Mode> modes;  ///< as many as wanted, if there are so many.
-  core::VortexShedding strumming;
+  core::VortexShedding vortex_shedding;
   /// Unstretched arc lengths of the nodes [m].
   std::vector<double> node_s;
 };

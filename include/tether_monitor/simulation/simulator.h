@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "tether_monitor/core/assembly/cable_model.h"
-#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/core/assembly/end_forces.h"
 #include "tether_monitor/core/solve/adaptive_stepper.h"
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/simulation/vehicle_autopilot.h"
 #include "tether_monitor/simulation/vessel_autopilot.h"
 
 namespace tether_monitor::simulation
@@ -31,7 +32,10 @@ class Simulator
   Simulator(const monitor::Config& config, const SimulationConfig& simulation);
 
   /// Epoch of the clock that times count from [s]: waves are those of the clock. Before the first step.
-  void setEpoch(double epoch) { model_.sea().setEpoch(epoch); }
+  void setEpoch(double epoch)
+  {
+    model_ = model_.withEnvironment(model_.environment().withTimeOrigin(epoch));
+  }
 
   /// Steps to time t [s], not before the last. @return false if the solver failed: the simulation has ended.
   bool advance(double t);
@@ -40,7 +44,7 @@ class Simulator
   /// Reference points: centres of mass.
   monitor::BodyState vessel() const;
   monitor::BodyState vehicle() const;
-  core::PayoutState payout() const { return {model_.length(), winch_rate_, 0.0}; }
+  core::PayoutState payout() const { return {length(), winch_rate_, 0.0}; }
   const core::Wrench& vehicleThrust() const { return vehicle_thrust_; }
   /// Forces of the tether on its ends [N].
   core::EndForces endForces() const { return core::endForces(model_, state_); }
@@ -50,6 +54,7 @@ class Simulator
   bool hasWinch() const { return !simulation_.winch.empty(); }
 
  private:
+  double length() const { return model_.length(state_.deployment); }
   void start();
   core::PayoutTrajectory orderedPayout(double dt);
 
@@ -58,8 +63,8 @@ class Simulator
   core::CableModel model_;
   core::CableState state_;
   std::optional<core::AdaptiveStepper> stepper_;
-  std::optional<VesselAutopilot> helmsman_;
-  std::optional<VehicleAutopilot> pilot_;
+  std::optional<VesselAutopilot> vessel_autopilot_;
+  std::optional<VehicleAutopilot> vehicle_autopilot_;
   core::Wrench vehicle_thrust_;
   double winch_rate_ = 0.0;  // [m/s]
 };

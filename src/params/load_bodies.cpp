@@ -1,0 +1,86 @@
+#include "tether_monitor/params/load_bodies.h"
+
+#include <optional>
+#include <string>
+
+namespace tether_monitor::params
+{
+namespace
+{
+monitor::BodyConfig loadBody(ParameterReader& in)
+{
+  monitor::BodyConfig body;
+  body.attachment = in.vector("attachment", body.attachment);
+  body.frame = in.text("frame", body.frame);
+  return body;
+}
+
+monitor::NavigationConfig loadNavigation(ParameterReader& in)
+{
+  monitor::NavigationConfig navigation;
+  navigation.position_stddev = in.number("position_stddev", navigation.position_stddev);
+  navigation.velocity_stddev = in.number("velocity_stddev", navigation.velocity_stddev);
+  navigation.latency = in.number("latency", navigation.latency);
+  if (in.has("force_stddev"))
+    navigation.force_stddev = in.optionalNumber("force_stddev");
+  navigation.drag_stddev = in.number("drag_stddev", navigation.drag_stddev);
+  return navigation;
+}
+}  // namespace
+
+core::RigidBody loadRigidBody(ParameterReader& in)
+{
+  core::RigidBody body;
+  body.mass = in.number("mass");
+  body.volume = in.number("volume");
+  body.inertia = in.vector("inertia");
+  body.drag_area = in.vector("drag_area");
+  body.added_mass = in.vector("added_mass", body.added_mass);
+  body.added_inertia = in.vector("added_inertia", body.added_inertia);
+  body.rotational_drag = in.vector("rotational_drag", body.rotational_drag);
+  body.center_of_buoyancy = in.vector("center_of_buoyancy", body.center_of_buoyancy);
+  body.force = in.vector("force", body.force);
+  return body;
+}
+
+monitor::BodyConfig loadVessel(ParameterReader in)
+{
+  monitor::BodyConfig body = loadBody(in);
+  if (in.has("position_stddev"))
+    body.position_stddev = in.optionalNumber("position_stddev");
+  if (in.has("velocity_stddev"))
+    body.velocity_stddev = in.optionalNumber("velocity_stddev");
+  in.finish();
+  return body;
+}
+
+void loadVehicle(ParameterReader in, monitor::Config& config)
+{
+  config.vehicle = loadBody(in);
+  const std::string mode = in.text("mode", "tracked");
+  const bool is_simulated = mode == "free" || mode == "observed";
+  if (is_simulated)
+  {
+    config.vehicle_mode = mode == "free" ? monitor::VehicleMode::FREE : monitor::VehicleMode::OBSERVED;
+    config.vehicle_body = loadRigidBody(in);
+  }
+  // A file that was written for another mode stays good.
+  if (mode == "observed")
+    config.navigation = loadNavigation(in);
+  else
+    for (const char* key : {"position_stddev", "velocity_stddev", "latency", "force_stddev", "drag_stddev"})
+      in.ignore(key);
+  if (mode == "tracked")
+  {
+    for (const char* key : {"mass", "volume", "inertia", "drag_area", "added_mass", "added_inertia",
+                            "rotational_drag", "center_of_buoyancy", "force"})
+      in.ignore(key);
+  }
+  else if (!is_simulated)
+  {
+    in.addErrors({"vehicle.mode = '" + mode + "' (must be tracked, free or observed)"});
+  }
+  in.finish();
+}
+
+}  // namespace tether_monitor::params

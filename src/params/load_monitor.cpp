@@ -1,0 +1,56 @@
+#include "tether_monitor/params/load_monitor.h"
+
+#include "tether_monitor/monitor/alarms/alarm_quantities.h"
+
+namespace tether_monitor::params
+{
+namespace
+{
+void loadAlarm(ParameterReader in, monitor::AlarmConfig& alarm)
+{
+  const auto optional = [&](const char* key, std::optional<double>& value)
+  {
+    if (in.has(key))
+      value = in.optionalNumber(key);
+  };
+  optional("warning", alarm.warning);
+  optional("limit", alarm.limit);
+  alarm.timing.on_delay = in.number("on_delay", alarm.timing.on_delay);
+  alarm.timing.off_delay = in.number("off_delay", alarm.timing.off_delay);
+  alarm.timing.deadband = in.number("deadband", alarm.timing.deadband);
+  alarm.timing.latch = in.boolean("latch", alarm.timing.latch);
+  in.finish();
+}
+}  // namespace
+
+core::StepperOptions loadSolver(ParameterReader in)
+{
+  core::StepperOptions options;
+  const std::string integrator = in.text("integrator", "generalized_alpha");
+  if (integrator == "abarbanel_zwas")
+    options.scheme = core::Scheme::ABARBANEL_ZWAS;
+  else if (integrator != "generalized_alpha")
+    in.addErrors({"solver.integrator = '" + integrator + "' (must be generalized_alpha or abarbanel_zwas)"});
+  options.corrections = in.integer("corrections", options.corrections);
+  options.courant = in.number("courant", options.courant);
+  options.step = in.number("step", options.step);
+  options.spectral_radius = in.number("spectral_radius", options.spectral_radius);
+  in.finish();
+  return options;
+}
+
+void loadMonitor(ParameterReader in, monitor::Config& config)
+{
+  config.rate = in.number("rate", config.rate);
+  config.pose_timeout = in.number("pose_timeout", config.pose_timeout);
+  config.invalid_timeout = in.number("invalid_timeout", config.invalid_timeout);
+  config.navigation.degraded_stddev = in.number("degraded_stddev", config.navigation.degraded_stddev);
+  config.navigation.invalid_stddev = in.number("invalid_stddev", config.navigation.invalid_stddev);
+  ParameterReader alarms = in.child("alarms");
+  for (const monitor::AlarmQuantity& quantity : monitor::alarmQuantities())
+    loadAlarm(alarms.child(quantity.name), monitor::alarmConfig(config, quantity.name));
+  alarms.finish();
+  in.finish();
+}
+
+}  // namespace tether_monitor::params
