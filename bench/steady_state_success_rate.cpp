@@ -33,7 +33,7 @@ Found find(const fuzz::RandomTether& t, int elements)
 {
   Found found;
   core::CableModel model(t.tether, elements, t.sea);
-  model.setBodies(t.bodies);
+  model = model.withBodies(t.bodies);
   core::SteadyStateSolver statics(model.nodes());
   core::NodeField shape;
   const double begin = bench::cpuTime();
@@ -44,18 +44,19 @@ Found find(const fuzz::RandomTether& t, int elements)
   core::CableState state(0.0, shape, t.ends.velocity);
   core::initializeContact(model, state);
   core::StationProfile stations(elements);
-  core::computeStations(model, state, stations);
+  core::computeStations(core::DeployedCable(model, state.deployment), state, stations);
   found.vessel = stations.ends.vessel.norm();
   found.vehicle = stations.ends.vehicle.norm();
   found.turn = stations.max_element_rotation;
   // The residual apart from the solver, by the kernel for every machine.
-  model.setKernel(*core::kernel::available().back());
+  model = model.withKernel(*core::kernel::available().back());
   core::NodeField residual(model.nodes());
-  model.assemble(state, residual);
+  const core::DeployedCable cable(model, state.deployment);
+  cable.assemble(state, residual);
   const double reaction = std::max(residual.front().head<3>().norm(), residual.back().head<3>().norm());
   for (int i = 1; i < elements; ++i)
     found.residual = std::max(found.residual, residual[i].head<3>().norm());
-  found.residual /= 0.1 * model.forceScale() + reaction;
+  found.residual /= 0.1 * cable.forceScale() + reaction;
   return found;
 }
 

@@ -164,13 +164,8 @@ json workPrecision(const Case& c)
   {
     const double begin = bench::cpuTime();
     const core::MeshSelection mesh = core::selectMesh(
-        [&](int elements)
-        {
-          core::CableModel model(c.tether, elements, c.sea);
-          model.setBodies(c.bodies);
-          return model;
-        },
-        c.start, accuracy, core::StepperOptions());
+        [&](int elements) { return core::CableModel(c.tether, elements, c.sea).withBodies(c.bodies); }, c.start,
+        accuracy, core::StepperOptions());
     const double cpu = bench::cpuTime() - begin;
     options = core::StepperOptions();
     options.step = mesh.step;

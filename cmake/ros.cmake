@@ -20,14 +20,18 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES tether_monitor_core tether_monitor_monitor
   CATKIN_DEPENDS diagnostic_msgs geometry_msgs message_runtime nav_msgs roscpp std_msgs std_srvs visualization_msgs
-  DEPENDS EIGEN3)
-
-find_package(CLI11 REQUIRED)
+  DEPENDS EIGEN3
+  CFG_EXTRAS tether_monitor-extras.cmake)
+export(TARGETS tether_monitor_core tether_monitor_monitor NAMESPACE tether_monitor::
+  FILE ${CMAKE_BINARY_DIR}/tether_monitor-targets.cmake)
 
 add_library(tether_monitor_ros STATIC
+  src/ros/alarm_text.cpp
   src/ros/bag_replay.cpp
   src/ros/diagnostics.cpp
+  src/ros/geometry_conversions.cpp
   src/ros/input_adapter.cpp
+  src/ros/input_topics.cpp
   src/ros/markers.cpp
   src/ros/message_conversions.cpp
   src/ros/monitor_node.cpp
@@ -45,25 +49,7 @@ target_link_libraries(tether_monitor_node PRIVATE tether_monitor_ros tether_moni
 add_executable(tether_sim_node src/apps/tether_sim_node.cpp)
 target_link_libraries(tether_sim_node PRIVATE tether_monitor_ros tether_monitor_options)
 
-foreach(tool tether_replay tether_steady)
-  add_executable(${tool} src/apps/${tool}.cpp)
-  target_link_libraries(${tool} PRIVATE tether_monitor_ros CLI11::CLI11 tether_monitor_options)
-endforeach()
-
-install(TARGETS tether_monitor_node tether_sim_node tether_replay tether_steady
-  RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(TARGETS tether_monitor_core tether_monitor_monitor
-  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
-  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
-install(DIRECTORY include/${PROJECT_NAME}/core include/${PROJECT_NAME}/monitor
-  DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(TARGETS tether_monitor_node tether_sim_node RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES test/data/tank_run.bag test/data/tank_run.md
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
 catkin_install_python(PROGRAMS scripts/demo_monitor.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-
-if(CATKIN_ENABLE_TESTING)
-  enable_testing()
-  include(cmake/tests.cmake)
-  include(cmake/ros_tests.cmake)
-endif()

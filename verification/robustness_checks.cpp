@@ -33,13 +33,13 @@ core::ElementParameters randomElement(RandomSource& dice)
   p.compression = dice.chance(0.3) ? dice.uniform(0.0, 1e-3) : 0.0;
   p.natural_stretch = dice.chance(0.3) ? dice.uniform(1.0, 1.5) : 1.0;
   if (dice.chance(0.2))
-    p.flow = {true,
-              dice.uniform(-1.0, 1.0),
-              dice.uniform(-1.0, 1.0),
-              dice.uniform(-5.0, 5.0),
-              dice.uniform(-5.0, 5.0),
-              dice.uniform(-1.0, 1.0),
-              dice.uniform(-1.0, 1.0)};
+    p.transport = {true,
+                   dice.uniform(-1.0, 1.0),
+                   dice.uniform(-1.0, 1.0),
+                   dice.uniform(-5.0, 5.0),
+                   dice.uniform(-5.0, 5.0),
+                   dice.uniform(-1.0, 1.0),
+                   dice.uniform(-1.0, 1.0)};
   return p;
 }
 
@@ -220,11 +220,11 @@ std::string checkTether(RandomSource& dice)
       monitor::EndTargets targets = mover.targets();
       if (dice.chance(0.002))
         targets.vessel.position.x() = std::numeric_limits<double>::quiet_NaN();
-      const long before = estimator.count().iterations;
+      const long before = estimator.simulation().count.iterations;
       const std::string found = fault(estimator.advance(time, targets));
       if (!found.empty())
         return found + " at t = " + std::to_string(time) + " (" + describe(t) + ")";
-      const long spent = estimator.count().iterations - before;
+      const long spent = estimator.simulation().count.iterations - before;
       if (spent > config.solver.max_iterations + config.solver.newton.max_iterations)
         return std::to_string(spent) + " iterations in a step (" + describe(t) + ")";
     }

@@ -1,9 +1,10 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
+#include "command_line.h"
 #include "tether_monitor/files/csv_table.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/replay/csv_replay.h"
@@ -30,12 +31,39 @@ void showProgress(double share)
                share >= 1.0 ? "\n" : "");
 }
 
-tether_monitor::replay::VehicleColumns recordedVehicle(const tether_monitor::monitor::TetherEstimator& estimator)
+tether_monitor::replay::VehicleColumns columnsOf(tether_monitor::monitor::VehicleMode mode)
 {
+  using tether_monitor::monitor::VehicleMode;
   using tether_monitor::replay::VehicleColumns;
-  if (estimator.isVehicleObserved())
-    return VehicleColumns::OBSERVED;
-  return estimator.isVehicleFree() ? VehicleColumns::POSE : VehicleColumns::NONE;
+  switch (mode)
+  {
+    case VehicleMode::FREE:
+      return VehicleColumns::POSE;
+    case VehicleMode::OBSERVED:
+      return VehicleColumns::OBSERVED;
+    case VehicleMode::TRACKED:
+      break;
+  }
+  return VehicleColumns::NONE;
+}
+
+void replayCsv(const Arguments& arguments, const tether_monitor::replay::ReplayOptions& options,
+               tether_monitor::replay::VehicleColumns columns, tether_monitor::monitor::TetherEstimator& estimator)
+{
+  using namespace tether_monitor;
+  const bool are_measurements = estimator.vehicle().acceptsLateMeasurements();
+  const files::CsvTable table =
+      files::readCsv(arguments.motion, are_measurements ? files::MayBeEmpty(replay::mayBeEmpty) : nullptr);
+  const replay::Motion motion(table, estimator.config().vehicle_mode);
+  std::optional<replay::RecordedMeasurements> measurements;
+  if (are_measurements)
+    measurements.emplace(table);
+  replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
+  if (measurements)
+    replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
+  else
+    replay::replayMotion(motion, options, estimator, recorder);
+  recorder.finish(estimator);
 }
 
 void replay(const Arguments& arguments)
@@ -47,25 +75,14 @@ void replay(const Arguments& arguments)
   if (!arguments.quiet && isatty(STDERR_FILENO))
     options.progress = showProgress;
 
+  const replay::VehicleColumns columns = columnsOf(estimator.config().vehicle_mode);
   if (!arguments.motion.empty())
   {
-    const bool is_observed = estimator.isVehicleObserved();
-    const files::CsvTable table =
-        files::readCsv(arguments.motion, is_observed ? files::MayBeEmpty(replay::mayBeEmpty) : nullptr);
-    const replay::Motion motion(table, estimator.config().vehicle_mode);
-    std::optional<replay::RecordedMeasurements> measurements;
-    if (is_observed)
-      measurements.emplace(table);
-    replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, recordedVehicle(estimator));
-    if (measurements)
-      replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
-    else
-      replay::replayMotion(motion, options, estimator, recorder);
-    recorder.finish(estimator);
+    replayCsv(arguments, options, columns, estimator);
   }
   else
   {
-    replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, recordedVehicle(estimator));
+    replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
     for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
       std::cerr << "warning: " << warning << "\n";
     recorder.finish(estimator);
@@ -78,39 +95,31 @@ void replay(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Runs the tether monitor over a recording as fast as it can; no ROS master is needed.");
-  Arguments arguments;
-  app.add_option("--config", arguments.config, "YAML file with the parameter tree of the node")->required();
-  auto* bag = app.add_option("--bag", arguments.bag, "bag with vessel/pose, vehicle/pose and so on");
-  app.add_option("--ns", arguments.ns, "namespace of the topics in the bag")->needs(bag);
-  auto* motion = app.add_option("--motion", arguments.motion, "CSV file with the motion of both bodies");
-  bag->excludes(motion);
-  app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
-  app.add_option("--rate", arguments.rate,
-                 "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--shape-rate", arguments.shape_rate, "shapes in shape.csv per second, 0 for none")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_flag("--quiet", arguments.quiet, "no progress bar and no closing line");
-  try
-  {
-    app.parse(argc, argv);
-    if (arguments.bag.empty() && arguments.motion.empty())
-      throw CLI::RequiredError("--bag or --motion");
-  }
-  catch (const CLI::ParseError& error)
-  {
-    return app.exit(error) == 0 ? 0 : 1;
-  }
-  try
-  {
-    replay(arguments);
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "tether_replay: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  namespace options = boost::program_options;
+  using tether_monitor::apps::CommandLineError;
+  tether_monitor::apps::CommandLine line(
+      "tether_replay", "Runs the tether monitor over a recording as fast as it can; no ROS master is needed.");
+  Arguments a;
+  line.add()("config", options::value(&a.config)->required(), "YAML file with the parameter tree of the node")(
+      "bag", options::value(&a.bag), "bag with vessel/pose, vehicle/pose and so on")(
+      "ns", options::value(&a.ns), "namespace of the topics in the bag")(
+      "motion", options::value(&a.motion), "CSV file with the motion of both bodies")(
+      "out", options::value(&a.out)->required(), "folder for the results, made if needed")(
+      "rate", options::value(&a.rate), "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
+      "shape-rate", options::value(&a.shape_rate)->default_value(a.shape_rate),
+      "shapes in shape.csv per second, 0 for none")("quiet", options::bool_switch(&a.quiet),
+                                                    "no progress bar and no closing line");
+  return tether_monitor::apps::runProgram("tether_replay", line, argc, argv,
+                                          [&]
+                                          {
+                                            line.exclude("bag", "motion");
+                                            line.exclude("ns", "motion");
+                                            if (a.bag.empty() && a.motion.empty())
+                                              throw CommandLineError("--bag or --motion is required");
+                                            if (line.has("rate"))
+                                              tether_monitor::apps::checkPositive("rate", a.rate);
+                                            tether_monitor::apps::checkNotNegative("shape-rate", a.shape_rate);
+                                            replay(a);
+                                            return 0;
+                                          });
 }

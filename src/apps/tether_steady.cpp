@@ -1,13 +1,12 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 #include <sstream>
 
+#include "command_line.h"
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/replay/result_files.h"
 #include "tether_monitor/replay/steady_state_run.h"
-#include "tether_monitor/ros/diagnostics.h"
 
 namespace
 {
@@ -36,22 +35,22 @@ struct Arguments
   bool quiet = false;
 };
 
-void tell(const tether_monitor::replay::SteadyState& steady, const Arguments& arguments)
+void printSummary(const tether_monitor::replay::SteadyState& steady, const Arguments& arguments)
 {
   const tether_monitor::monitor::TetherEstimate& estimate = steady.estimate;
   std::cout << describe(estimate.status) << " "
             << (estimate.reason == tether_monitor::monitor::Reason::NONE ? "" : describe(estimate.reason)) << " "
-            << tether_monitor::advice(estimate.reason) << "\ntension at the vessel end " << estimate.vessel_tension
+            << tether_monitor::monitor::advice(estimate.reason) << "\ntension at the vessel end " << estimate.vessel_tension
             << " N, at the vehicle end " << estimate.vehicle_tension << " N, largest " << estimate.max_tension
             << " N at s = " << estimate.max_tension_s << " m\n";
   if (estimate.seabed_contact_length > 0.0)
     std::cout << estimate.seabed_contact_length << " m lie on the seabed, from s = " << estimate.touchdown_s
               << " m on\n";
-  const tether_monitor::core::VortexShedding& strumming = steady.strumming;
-  if (strumming.length > 0.0)
-    std::cout << "vortices may shake " << strumming.length << " m of it at " << strumming.lowest_frequency
-              << " to " << strumming.highest_frequency << " Hz; its first transverse frequency is some "
-              << strumming.fundamental_frequency << " Hz\n";
+  const tether_monitor::core::VortexShedding& shedding = steady.vortex_shedding;
+  if (shedding.length > 0.0)
+    std::cout << "vortices may shake " << shedding.length << " m of it at " << shedding.lowest_frequency
+              << " to " << shedding.highest_frequency << " Hz; its first transverse frequency is some "
+              << shedding.fundamental_frequency << " Hz\n";
   if (arguments.modes > static_cast<int>(steady.modes.size()))
     std::cout << "only " << steady.modes.size() << " of " << arguments.modes << " modes exist or were found\n";
   std::cout << "wrote ends.csv"
@@ -90,7 +89,7 @@ int findSteadyState(const Arguments& arguments)
   if (is_free && !arguments.vehicle_position.empty())
     throw std::runtime_error("--vehicle-position cannot be given for a free vehicle: it finds its own");
   if (!is_free && arguments.vehicle_position.empty())
-    throw std::runtime_error("--vehicle-position is required, vehicle.mode being tracked");
+    throw std::runtime_error("--vehicle-position is required unless vehicle.mode is free");
   const Vector3 velocity = parseVector("--vessel-velocity", arguments.vessel_velocity);
   const Vector3 vessel = parseVector("--vessel-position", arguments.vessel_position);
   const Vector3 vehicle = is_free ? vessel : parseVector("--vehicle-position", arguments.vehicle_position);
@@ -119,39 +118,31 @@ int findSteadyState(const Arguments& arguments)
   if (arguments.modes > 0)
     replay::writeModes(arguments.out, steady.modes, steady.node_s);
   if (!arguments.quiet)
-    tell(steady, arguments);
+    printSummary(steady, arguments);
   return 0;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Finds the steady state of a tether whose ends move together: both held, or with a free vehicle.");
-  Arguments arguments;
-  app.add_option("--config", arguments.config, "YAML file with the parameter tree of the node")->required();
-  app.add_option("--vessel-position", arguments.vessel_position, "X,Y,Z of the vessel [m]")->capture_default_str();
-  app.add_option("--vehicle-position", arguments.vehicle_position, "X,Y,Z of the vehicle [m], unless it is free");
-  app.add_option("--vessel-velocity", arguments.vessel_velocity, "VX,VY,VZ of both [m/s]")->capture_default_str();
-  app.add_option("--modes", arguments.modes, "number of natural modes to write to modes.csv and mode_shapes.csv")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--out", arguments.out, "folder for the results, made if needed")->required();
-  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    return app.exit(error) == 0 ? 0 : 1;
-  }
-  try
-  {
-    return findSteadyState(arguments);
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "tether_steady: " << error.what() << "\n";
-    return 1;
-  }
+  namespace options = boost::program_options;
+  tether_monitor::apps::CommandLine line(
+      "tether_steady",
+      "Finds the steady state of a tether whose ends move together: both held, or with a simulated vehicle.");
+  Arguments a;
+  line.add()("config", options::value(&a.config)->required(), "YAML file with the parameter tree of the node")(
+      "vessel-position", options::value(&a.vessel_position)->default_value(a.vessel_position),
+      "X,Y,Z of the vessel [m]")("vehicle-position", options::value(&a.vehicle_position),
+                                 "X,Y,Z of the vehicle [m], unless vehicle.mode is free")(
+      "vessel-velocity", options::value(&a.vessel_velocity)->default_value(a.vessel_velocity),
+      "VX,VY,VZ of both [m/s]")("modes", options::value(&a.modes)->default_value(a.modes),
+                                "number of natural modes to write to modes.csv and mode_shapes.csv")(
+      "out", options::value(&a.out)->required(), "folder for the results, made if needed")(
+      "quiet", options::bool_switch(&a.quiet), "print nothing but errors");
+  return tether_monitor::apps::runProgram("tether_steady", line, argc, argv,
+                                          [&]
+                                          {
+                                            tether_monitor::apps::checkNotNegative("modes", a.modes);
+                                            return findSteadyState(a);
+                                          });
 }

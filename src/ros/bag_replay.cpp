@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -15,6 +14,7 @@
 
 #include "tether_monitor/ros/diagnostics.h"
 #include "tether_monitor/ros/input_adapter.h"
+#include "tether_monitor/ros/input_topics.h"
 
 namespace tether_monitor
 {
@@ -22,34 +22,39 @@ namespace
 {
 constexpr double DEFAULT_RATE = 20.0;  // [Hz]
 
-// Inputs of one kind, in order of their stamps. Each body has its own stream: looking ahead on one takes nothing
-// of another.
-enum Stream
-{
-  VESSEL_STREAM,
-  VEHICLE_STREAM,
-  OTHER_STREAM,
-  STREAMS
-};
+// Each body has its own stream: looking ahead on one takes nothing of another.
+constexpr std::size_t STREAMS = 3;
+constexpr std::array<InputStream, STREAMS> ALL_STREAMS{InputStream::VESSEL, InputStream::VEHICLE,
+                                                       InputStream::OTHER};
 
-// One input message, ready to be taken.
+// One input message, ready to be given to the estimator.
 struct Input
 {
   ros::Time stamp;
   ros::Time recorded;
-  bool is_pose;
-  std::string topic;
-  std::function<std::string(InputAdapter&)> take;
+  const InputTopic* topic;
+  InputMessage message;
 
   ros::Time arrival() const { return std::max(stamp, recorded); }
 };
 
+// Inputs of one kind, in order of their stamps.
+struct Stream
+{
+  std::vector<Input> inputs;
+  std::size_t next = 0;
+
+  bool hasNext() const { return next < inputs.size(); }
+};
+
 struct Recording
 {
-  std::array<std::vector<Input>, STREAMS> inputs;
-  std::array<std::size_t, STREAMS> next{};
+  std::array<Stream, STREAMS> streams;
   tf2::BufferCore transforms{ros::Duration(1e9)};
   std::map<std::string, RefusalCount> refusals;
+
+  Stream& at(InputStream stream) { return streams[static_cast<std::size_t>(stream)]; }
+  const Stream& at(InputStream stream) const { return streams[static_cast<std::size_t>(stream)]; }
 };
 
 void openBag(const std::string& path, rosbag::Bag& bag)
@@ -65,47 +70,6 @@ void openBag(const std::string& path, rosbag::Bag& bag)
   }
 }
 
-template <typename Message>
-bool addBody(const rosbag::MessageInstance& instance, const std::string& topic, Body body, bool is_pose,
-             Recording& recording)
-{
-  const auto message = instance.instantiate<Message>();
-  if (!message)
-    return false;
-  const ros::Time recorded = instance.getTime();
-  recording.inputs[body == Body::VESSEL ? VESSEL_STREAM : VEHICLE_STREAM].push_back(
-      {message->header.stamp, recorded, is_pose, topic,
-       [message, body, recorded](InputAdapter& adapter) { return adapter.accept(body, *message, recorded); }});
-  return true;
-}
-
-template <typename Message>
-bool addOther(const rosbag::MessageInstance& instance, const std::string& topic, Recording& recording)
-{
-  const auto message = instance.instantiate<Message>();
-  if (!message)
-    return false;
-  const ros::Time recorded = instance.getTime();
-  recording.inputs[OTHER_STREAM].push_back({message->header.stamp, recorded, false, topic,
-                                            [message, recorded](InputAdapter& adapter)
-                                            { return adapter.accept(*message, recorded); }});
-  return true;
-}
-
-// A number without a stamp counts from when it was recorded.
-bool addNumber(const rosbag::MessageInstance& instance, const std::string& topic,
-               std::string (InputAdapter::*take)(const std_msgs::Float64&, const ros::Time&), Recording& recording)
-{
-  const auto message = instance.instantiate<std_msgs::Float64>();
-  if (!message)
-    return false;
-  const ros::Time recorded = instance.getTime();
-  recording.inputs[OTHER_STREAM].push_back({recorded, recorded, false, topic,
-                                            [message, take, recorded](InputAdapter& adapter)
-                                            { return (adapter.*take)(*message, recorded); }});
-  return true;
-}
-
 void addTransforms(const rosbag::MessageInstance& instance, bool is_static, Recording& recording)
 {
   if (const auto message = instance.instantiate<tf2_msgs::TFMessage>())
@@ -113,37 +77,20 @@ void addTransforms(const rosbag::MessageInstance& instance, bool is_static, Reco
       recording.transforms.setTransform(transform, "bag", is_static);
 }
 
-void addMessage(const rosbag::MessageInstance& m, const std::string& topic, Recording& recording)
+void addMessage(const rosbag::MessageInstance& m, const std::string& name, Recording& recording)
 {
-  bool known = true;
-  for (const auto& [name, body] : {std::make_pair(std::string("vessel"), Body::VESSEL),
-                                   std::make_pair(std::string("vehicle"), Body::VEHICLE)})
+  const InputTopic* topic = findInputTopic(name);
+  if (!topic)
+    return;
+  if (const std::optional<InputMessage> message = topic->read(m))
   {
-    if (topic == name + "/pose")
-      known = addBody<geometry_msgs::PoseStamped>(m, topic, body, true, recording);
-    else if (topic == name + "/odom")
-      known = addBody<nav_msgs::Odometry>(m, topic, body, true, recording);
-    else if (topic == name + "/velocity")
-      known = addBody<geometry_msgs::TwistStamped>(m, topic, body, false, recording);
+    const ros::Time recorded = m.getTime();
+    recording.at(topic->stream).inputs.push_back({message->stamp.value_or(recorded), recorded, topic, *message});
+    return;
   }
-  if (topic == "payout")
-    known = addOther<Payout>(m, topic, recording);
-  else if (topic == "current")
-    known = addOther<CurrentProfile>(m, topic, recording);
-  else if (topic == "obstacles")
-    known = addOther<ObstacleArray>(m, topic, recording);
-  else if (topic == "vehicle/thrust")
-    known = addOther<geometry_msgs::WrenchStamped>(m, topic, recording);
-  else if (topic == "seabed")
-    known = addNumber(m, topic, &InputAdapter::acceptDepth, recording);
-  else if (topic == "turns")
-    known = addNumber(m, topic, &InputAdapter::acceptTurns, recording);
-  if (!known)
-  {
-    RefusalCount& refusal = recording.refusals[topic];
-    ++refusal.count;
-    refusal.last_reason = "its type is " + m.getDataType();
-  }
+  RefusalCount& refusal = recording.refusals[name];
+  ++refusal.count;
+  refusal.last_reason = "its type is " + m.getDataType();
 }
 
 std::string prefixOf(const std::string& ns)
@@ -154,14 +101,14 @@ std::string prefixOf(const std::string& ns)
   return prefix;
 }
 
-std::vector<Stream> bodiesNeeded(bool free_vehicle)
+std::vector<InputStream> bodiesNeeded(bool needs_vehicle)
 {
-  if (free_vehicle)
-    return {VESSEL_STREAM};
-  return {VESSEL_STREAM, VEHICLE_STREAM};
+  if (needs_vehicle)
+    return {InputStream::VESSEL, InputStream::VEHICLE};
+  return {InputStream::VESSEL};
 }
 
-[[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, bool free_vehicle,
+[[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, bool needs_vehicle,
                                     rosbag::View& all)
 {
   std::set<std::string> topics;
@@ -174,9 +121,9 @@ std::vector<Stream> bodiesNeeded(bool free_vehicle)
       hints.insert(connection->topic.substr(1, at - 1));
   }
   std::string text = "the bag " + path + " has no poses of " +
-                     (free_vehicle ? "the vessel" : "both vessel and vehicle") + ": expected " + prefix +
+                     (needs_vehicle ? "both vessel and vehicle" : "the vessel") + ": expected " + prefix +
                      "vessel/pose or " + prefix + "vessel/odom";
-  if (!free_vehicle)
+  if (needs_vehicle)
     text += ", and " + prefix + "vehicle/pose or " + prefix + "vehicle/odom";
   text += ". ";
   if (topics.empty())
@@ -192,7 +139,7 @@ std::vector<Stream> bodiesNeeded(bool free_vehicle)
   throw std::runtime_error(text);
 }
 
-void readBag(const std::string& path, const std::string& ns, bool free_vehicle, Recording& recording)
+void readBag(const std::string& path, const std::string& ns, bool needs_vehicle, Recording& recording)
 {
   rosbag::Bag bag;
   openBag(path, bag);
@@ -214,62 +161,82 @@ void readBag(const std::string& path, const std::string& ns, bool free_vehicle, 
   {
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
-  // What is measured of a simulated vehicle is not used.
-  if (free_vehicle)
-    recording.inputs[VEHICLE_STREAM].clear();
-  for (const Stream body : bodiesNeeded(free_vehicle))
-    if (std::none_of(recording.inputs[body].begin(), recording.inputs[body].end(),
-                     [](const Input& input) { return input.is_pose; }))
-      failWithoutTopics(path, prefix, free_vehicle, all);
-  for (std::vector<Input>& stream : recording.inputs)
-    std::stable_sort(stream.begin(), stream.end(),
+  // What is measured of a free vehicle is not used.
+  if (!needs_vehicle)
+    recording.at(InputStream::VEHICLE).inputs.clear();
+  for (const InputStream body : bodiesNeeded(needs_vehicle))
+  {
+    const std::vector<Input>& inputs = recording.at(body).inputs;
+    if (std::none_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.topic->is_pose; }))
+      failWithoutTopics(path, prefix, needs_vehicle, all);
+  }
+  for (Stream& stream : recording.streams)
+    std::stable_sort(stream.inputs.begin(), stream.inputs.end(),
                      [](const Input& a, const Input& b) { return a.stamp < b.stamp; });
 }
 
 // As the messages came in, late ones late.
 void sortByArrival(Recording& recording)
 {
-  for (std::vector<Input>& stream : recording.inputs)
-    std::stable_sort(stream.begin(), stream.end(),
+  for (Stream& stream : recording.streams)
+    std::stable_sort(stream.inputs.begin(), stream.inputs.end(),
                      [](const Input& a, const Input& b) { return a.arrival() < b.arrival(); });
 }
 
-void takeNext(Recording& recording, Stream stream, InputAdapter& adapter)
+void acceptNext(InputStream of, Recording& recording, InputAdapter& adapter)
 {
-  const Input& input = recording.inputs[stream][recording.next[stream]++];
-  const std::string why = input.take(adapter);
-  if (why.empty())
+  Stream& stream = recording.at(of);
+  const Input& input = stream.inputs[stream.next++];
+  const std::optional<InputError> error = input.message.accept(adapter, input.recorded);
+  if (!error)
     return;
-  RefusalCount& refusal = recording.refusals[input.topic];
+  RefusalCount& refusal = recording.refusals[input.topic->name];
   ++refusal.count;
-  refusal.last_reason = why;
+  refusal.last_reason = *error;
 }
 
-// Takes what is known at time t, and of each body what comes next, so that its motion is interpolated.
-void takeUntil(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator, Recording& recording,
-               InputAdapter& adapter)
+const monitor::MotionBuffer& trackOf(InputStream body, const monitor::TetherEstimator& estimator)
 {
-  const auto covered = [&](int stream)
+  return body == InputStream::VESSEL ? estimator.vessel().track() : estimator.vehicle().track();
+}
+
+// Accepts what has arrived by time t.
+void acceptArrived(double t, const TimeOrigin& base, Recording& recording, InputAdapter& adapter)
+{
+  for (const InputStream of : ALL_STREAMS)
   {
-    return stream == OTHER_STREAM ||
-           (stream == VESSEL_STREAM ? estimator.vesselTrack() : estimator.vehicleTrack()).covers(t);
-  };
-  for (int stream = 0; stream < STREAMS; ++stream)
-    while (recording.next[stream] < recording.inputs[stream].size())
+    const Stream& stream = recording.at(of);
+    while (stream.hasNext() && base.seconds(stream.inputs[stream.next].arrival()) <= t)
+      acceptNext(of, recording, adapter);
+  }
+}
+
+// Accepts what is stamped up to time t, and of each body what comes next, so that its motion is interpolated.
+void acceptAhead(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator, Recording& recording,
+                 InputAdapter& adapter)
+{
+  const double furthest = t + estimator.config().pose_timeout;
+  for (const InputStream of : ALL_STREAMS)
+  {
+    const Stream& stream = recording.at(of);
+    while (stream.hasNext())
     {
-      const Input& input = recording.inputs[stream][recording.next[stream]];
-      if (estimator.isVehicleObserved())
-      {
-        if (base.seconds(input.arrival()) > t)
-          break;
-        takeNext(recording, static_cast<Stream>(stream), adapter);
-        continue;
-      }
-      const double stamp = base.seconds(input.stamp);
-      if (stamp > t && (covered(stream) || stamp > t + estimator.config().pose_timeout))
+      const double stamp = base.seconds(stream.inputs[stream.next].stamp);
+      const bool is_enough = of == InputStream::OTHER || trackOf(of, estimator).canInterpolate(t);
+      if (stamp > t && (is_enough || stamp > furthest))
         break;
-      takeNext(recording, static_cast<Stream>(stream), adapter);
+      acceptNext(of, recording, adapter);
     }
+  }
+}
+
+void acceptUntil(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator, Recording& recording,
+                 InputAdapter& adapter)
+{
+  if (estimator.vehicle().acceptsLateMeasurements())
+    acceptArrived(t, base, recording, adapter);
+  else
+    acceptAhead(t, base, estimator, recording, adapter);
 }
 
 std::vector<std::string> warningsOf(const Recording& recording)
@@ -282,17 +249,33 @@ std::vector<std::string> warningsOf(const Recording& recording)
 }
 
 // Stamps of the first and the last usable pose of a body: neither zero nor beyond the time of its recording.
-std::pair<ros::Time, ros::Time> poseSpan(const Recording& recording, Stream body, double tolerance)
+std::pair<ros::Time, ros::Time> poseSpan(const Recording& recording, InputStream body, double tolerance)
 {
   std::pair<ros::Time, ros::Time> span;
-  for (const Input& input : recording.inputs[body])
-    if (input.is_pose && !input.stamp.isZero() && (input.stamp - input.recorded).toSec() <= tolerance)
+  for (const Input& input : recording.at(body).inputs)
+    if (input.topic->is_pose && !input.stamp.isZero() && (input.stamp - input.recorded).toSec() <= tolerance)
     {
       if (span.first.isZero())
         span.first = input.stamp;
       span.second = input.stamp;
     }
   return span;
+}
+// Accepts messages until both bodies are known. @throws std::runtime_error if they never are.
+void acceptFirstPoses(const std::string& path, const std::vector<InputStream>& bodies,
+                      const monitor::TetherEstimator& estimator, Recording& recording, InputAdapter& adapter)
+{
+  for (const InputStream body : bodies)
+  {
+    while (recording.at(body).hasNext() && !trackOf(body, estimator).hasPose())
+      acceptNext(body, recording, adapter);
+    if (trackOf(body, estimator).hasPose())
+      continue;
+    std::string text = "the bag " + path + ": every pose of a body was refused";
+    for (const std::string& warning : warningsOf(recording))
+      text += "\n  " + warning;
+    throw std::runtime_error(text);
+  }
 }
 }  // namespace
 
@@ -301,35 +284,26 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
                                    replay::ResultRecorder& recorder)
 {
   Recording recording;
-  const bool free_vehicle = estimator.isVehicleFree(), observed = estimator.isVehicleObserved();
-  readBag(path, ns, free_vehicle, recording);
-  if (observed)
+  const bool needs_vehicle = estimator.vehicle().needsPoses();
+  const bool as_it_arrived = estimator.vehicle().acceptsLateMeasurements();
+  readBag(path, ns, needs_vehicle, recording);
+  if (as_it_arrived)
     sortByArrival(recording);
   const double tolerance = estimator.config().pose_timeout;
-  const auto vessel = poseSpan(recording, VESSEL_STREAM, tolerance);
-  const auto vehicle = poseSpan(recording, VEHICLE_STREAM, tolerance);
-  const TimeOrigin base(free_vehicle ? vessel.first : std::min(vessel.first, vehicle.first));
+  const auto vessel = poseSpan(recording, InputStream::VESSEL, tolerance);
+  const auto vehicle = poseSpan(recording, InputStream::VEHICLE, tolerance);
+  const TimeOrigin base(needs_vehicle ? std::min(vessel.first, vehicle.first) : vessel.first);
   InputAdapter adapter(estimator, recording.transforms);
   adapter.setTimeBase(base);
   estimator.setEpoch(base.epoch());
-
-  // Start when both bodies are known.
-  for (const Stream body : observed ? std::vector<Stream>() : bodiesNeeded(free_vehicle))
-    while (recording.next[body] < recording.inputs[body].size() &&
-           !(body == VESSEL_STREAM ? estimator.vesselTrack() : estimator.vehicleTrack()).hasPose())
-      takeNext(recording, body, adapter);
-  if (!observed && (!estimator.vesselTrack().hasPose() || !(free_vehicle || estimator.vehicleTrack().hasPose())))
+  double begin = base.seconds(std::max(vessel.first, vehicle.first));
+  if (!as_it_arrived)
   {
-    std::string text = "the bag " + path + ": every pose of a body was refused";
-    for (const std::string& warning : warningsOf(recording))
-      text += "\n  " + warning;
-    throw std::runtime_error(text);
+    acceptFirstPoses(path, bodiesNeeded(needs_vehicle), estimator, recording, adapter);
+    begin = std::max(estimator.vessel().track().lastPoseTime(), estimator.vehicle().track().lastPoseTime());
   }
 
   // The model follows the motion at the monitor's rate or finer, whatever the rate of the output.
-  const double begin =
-      observed ? base.seconds(std::max(vessel.first, vehicle.first))
-               : std::max(estimator.vesselTrack().lastPoseTime(), estimator.vehicleTrack().lastPoseTime());
   const double end = std::max(begin, base.seconds(std::max(vessel.second, vehicle.second)));
   const double rate = options.rate > 0.0 ? options.rate : DEFAULT_RATE;
   const double longest = std::min(estimator.config().solver.step, 1.0 / estimator.config().rate);
@@ -340,9 +314,9 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
     for (int part = i == 0 ? parts : 1; part <= parts; ++part)
     {
       const double t = begin + (i - 1 + static_cast<double>(part) / parts) / rate;
-      takeUntil(t, base, estimator, recording, adapter);
+      acceptUntil(t, base, estimator, recording, adapter);
       recorder.startTimer();
-      if (i == 0 && !observed)
+      if (i == 0 && !as_it_arrived)
         estimator.beginFromTracks(t);
       else
         estimator.tick(t);
@@ -353,8 +327,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
     if (options.progress)
       options.progress((i + 1.0) / outputs);
   }
-  // What is left is looked at too: a stray stamp must not go unnoticed.
-  takeUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, adapter);
+  // What is left is accepted too: a stray stamp must not go unnoticed.
+  acceptUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, adapter);
   return warningsOf(recording);
 }
 

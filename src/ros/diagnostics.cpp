@@ -3,7 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tether_monitor/ros/message_conversions.h"
+#include "tether_monitor/core/cable/winch_drum.h"
+#include "tether_monitor/ros/alarm_text.h"
 
 namespace tether_monitor
 {
@@ -13,8 +14,9 @@ void diagnoseObserver(const monitor::TetherEstimator& estimator,
                       diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const monitor::TetherEstimate& e = estimator.estimate();
-  const monitor::InnovationStatistics& innovations = estimator.observer().innovations();
-  if (estimator.observer().exceedsTetherLength())
+  const monitor::VehicleObserver& observer = *estimator.vehicle().observer();
+  const monitor::InnovationStatistics& innovations = observer.innovations();
+  if (observer.exceedsTetherLength())
     status.add("Reach",
                "The measured ends are farther apart than the tether is long: deployed length, positions or "
                "both are wrong.");
@@ -23,18 +25,18 @@ void diagnoseObserver(const monitor::TetherEstimator& estimator,
   status.add("Standard deviation of the vehicle position [m]", e.vehicle_position_stddev);
   status.addf("Disturbance force on the vehicle [N]", "%.0f %.0f %.0f, standard deviation %.0f", e.disturbance.x(),
               e.disturbance.y(), e.disturbance.z(), e.disturbance_stddev);
-  status.addf("Of it, drag areas off by", "%.0f %%", 100.0 * estimator.observer().filter().dragError());
+  status.addf("Of it, drag areas off by", "%.0f %%", 100.0 * observer.filter().dragError());
   status.add("Innovation, last [m]", innovations.last);
   status.add("Innovations over their expected size [-]", innovations.noise_scale);
   status.add("Bias of the innovations over chance [-]", innovations.normalized_innovation_mean);
-  status.addf("RecordedMeasurements of the vehicle", "%ld believed, %ld refused as outliers, %ld re-acquired",
+  status.addf("Measurements of the vehicle", "%ld accepted, %ld refused as outliers, %ld re-acquired",
               innovations.accepted, innovations.refused, innovations.reacquired);
-  status.add("Steps made again for late measurements", estimator.observer().replayedSteps());
-  status.add("Outliers of the vessel's motion", estimator.vesselFilter().outliers());
+  status.add("Steps made again for late measurements", observer.replayedSteps());
+  status.add("Outliers of the vessel's motion", estimator.vessel().outliers());
 }
 }  // namespace
 
-void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& facts,
+void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs,
               diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   using Level = diagnostic_msgs::DiagnosticStatus;
@@ -52,39 +54,39 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
                           alarmText(alarm));
   if (e.reason != monitor::Reason::NONE)
     status.add("Likely cause and advice", advice(e.reason));
-  if (estimator.isVehicleObserved())
+  if (estimator.vehicle().observer())
     diagnoseObserver(estimator, status);
   status.add("Largest tension [N]", e.max_tension);
   status.add("Share of the working load [-]", e.working_utilisation);
   status.add("Age of the vessel pose [s]", e.vessel_age);
   status.add("Age of the vehicle pose [s]", e.vehicle_age);
-  status.add("Deployed length [m]", estimator.model().length());
+  status.add("Deployed length [m]", estimator.simulation().length());
   if (!std::isnan(e.payout_age))
     status.add("Age of the winch's report [s]", e.payout_age);
   if (estimator.config().winch)
   {
     const core::WinchDrum drum(*estimator.config().winch, estimator.config().tether.diameter);
-    status.add("Winch: turns paid out", drum.turnsFor(estimator.model().length()));
+    status.add("Winch: turns paid out", drum.turnsFor(estimator.simulation().length()));
     status.add("Winch: holds [m]", drum.capacity());
     status.add("Winch: bend radius on the drum [m]", drum.bendRadius());
   }
   for (std::size_t k = 0; k < e.contact.obstacles.size(); ++k)
     if (e.contact.obstacles[k].total > 0.0)
-      status.addf("Touches obstacle '" + estimator.model().environment().obstacles[k].name + "'",
+      status.addf("Touches obstacle '" + estimator.simulation().model.environment().obstacles()[k].name + "'",
                   "%.3g N at s = %.1f m", e.contact.obstacles[k].force.norm(), e.contact.obstacles[k].s);
   if (e.seabed_contact_length > 0.0)
     status.add("On the seabed [m]", e.seabed_contact_length);
-  status.add("Elements", estimator.model().elements());
-  status.add("Largest step [s]", estimator.mesh().step);
+  status.add("Elements", estimator.simulation().model.elements());
+  status.add("Largest step [s]", estimator.simulation().mesh.step);
   if (estimator.config().accuracy)
-    status.add("Expected error of the mesh [-]", estimator.mesh().error);
-  status.add("Steps", estimator.count().steps);
-  status.add("Rejected steps", estimator.count().rejected);
-  status.add("Newton iterations", estimator.count().iterations);
-  status.add("Last solve", core::describe(estimator.lastSolve().status));
-  status.add("Longest computing time of a cycle [ms]", 1e3 * facts.worst_step_time);
-  status.add("Cycles", facts.ticks);
-  for (const auto& [topic, refusal] : facts.refusals)
+    status.add("Expected error of the mesh [-]", estimator.simulation().mesh.error);
+  status.add("Steps", estimator.simulation().count.steps);
+  status.add("Rejected steps", estimator.simulation().count.rejected);
+  status.add("Newton iterations", estimator.simulation().count.iterations);
+  status.add("Last solve", core::describe(estimator.simulation().last_solve.status));
+  status.add("Longest computing time of a cycle [ms]", 1e3 * inputs.worst_step_time);
+  status.add("Cycles", inputs.ticks);
+  for (const auto& [topic, refusal] : inputs.refusals)
     status.addf("Refused on " + topic, "%ld, last: %s", refusal.count, refusal.last_reason.c_str());
 }
 
@@ -97,11 +99,11 @@ void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_update
     return;
   }
   status.summary(Level::OK, "no resonance");
-  const core::VortexShedding& strumming = report.strumming;
-  if (strumming.length > 0.0)
+  const core::VortexShedding& shedding = report.vortex_shedding;
+  if (shedding.length > 0.0)
   {
     status.summaryf(Level::WARN, "transverse vibration: %.0f m of tether may strum at %.2g to %.2g Hz",
-                    strumming.length, strumming.lowest_frequency, strumming.highest_frequency);
+                    shedding.length, shedding.lowest_frequency, shedding.highest_frequency);
     status.add("Advice on strumming",
                "Vortices shake the tether across the flow; drag rises (tether.drag_amplification) "
                "and it wears. Fairings, or another speed, help.");
@@ -115,7 +117,7 @@ void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_update
     status.mergeSummary(Level::WARN, text);
     status.add("Advice on resonance", "Change speed, course or deployed length.");
   }
-  status.add("Vortex shedding, highest [Hz]", strumming.highest_frequency);
+  status.add("Vortex shedding, highest [Hz]", shedding.highest_frequency);
   status.add("Wave encounter [Hz]", report.encounter_frequency);
   for (std::size_t i = 0; i < report.modes.size(); ++i)
     status.addf("Mode " + std::to_string(i + 1), "%.4g Hz, %s", report.modes[i].frequency,

@@ -5,10 +5,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tether_monitor/core/cable/winch_drum.h"
+#include "tether_monitor/ros/geometry_conversions.h"
 #include "tether_monitor/ros/message_conversions.h"
 
 namespace tether_monitor
 {
+namespace
+{
+using Result = std::optional<InputError>;
+
+Result resultOf(monitor::Rejection rejection)
+{
+  return rejection == monitor::Rejection::NONE ? std::nullopt : Result(describe(rejection));
+}
+
+template <typename Covariance>
+bool hasNan(const Covariance& covariance)
+{
+  return std::any_of(covariance.begin(), covariance.end(), [](double c) { return std::isnan(c); });
+}
+}  // namespace
+
 InputAdapter::InputAdapter(monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms)
   : estimator_(estimator), transforms_(transforms)
 {
@@ -16,55 +34,36 @@ InputAdapter::InputAdapter(monitor::TetherEstimator& estimator, const tf2::Buffe
 
 const monitor::MotionBuffer& InputAdapter::track(Body body) const
 {
-  return body == Body::VESSEL ? estimator_.vesselTrack() : estimator_.vehicleTrack();
+  return body == Body::VESSEL ? estimator_.vessel().track() : estimator_.vehicle().track();
 }
-
-template <typename Measurement>
-std::string InputAdapter::add(Body body, const Measurement& measurement)
-{
-  const monitor::Rejection rejection =
-      body == Body::VESSEL ? estimator_.addVessel(measurement) : estimator_.addVehicle(measurement);
-  return rejection == monitor::Rejection::NONE ? "" : describe(rejection);
-}
-
-namespace
-{
-// Standard deviations of three rows of a covariance, turned to other axes; NaN where the message tells none (zero,
-// as ROS has it, or -1).
-core::Vector3 stddevs(const boost::array<double, 36>& covariance, int first, const core::Matrix3& turn)
-{
-  constexpr double MOST = 1e12;
-  core::Matrix3 block;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column)
-      block(row, column) = std::clamp(covariance[6 * (first + row) + first + column], -MOST, MOST);
-  if (!(block.diagonal().minCoeff() > 0.0))
-    return core::Vector3::Constant(monitor::PoseMeasurement::UNTOLD);
-  const core::Matrix3 turned = turn * block * turn.transpose();
-  return turned.diagonal().cwiseMax(0.0).cwiseSqrt();
-}
-}  // namespace
 
 const monitor::BodyConfig& InputAdapter::config(Body body) const
 {
   return body == Body::VESSEL ? estimator_.config().vessel : estimator_.config().vehicle;
 }
 
-std::string InputAdapter::refused(const std::string& why, const ros::Time& now)
+Result InputAdapter::noted(const Result& error, const ros::Time& now)
 {
-  if (!why.empty())
+  if (error)
     estimator_.noteRejectedInput(time_.seconds(now));
-  return why;
+  return error;
 }
 
-std::string InputAdapter::stampProblem(const std_msgs::Header& header, const ros::Time& now) const
+Result InputAdapter::checkStamp(const std_msgs::Header& header, const ros::Time& now) const
 {
   if (header.stamp.isZero())
     return "header.stamp is zero";
   const double ahead = (header.stamp - now).toSec();
   if (ahead > estimator_.config().pose_timeout)
     return "header.stamp is " + std::to_string(ahead) + " s in the future";
-  return "";
+  return std::nullopt;
+}
+
+Result InputAdapter::checkHeader(const std_msgs::Header& header, const ros::Time& now,
+                                 Eigen::Isometry3d& to_world) const
+{
+  const Result stamp = checkStamp(header, now);
+  return stamp ? stamp : transformToWorld(header, to_world);
 }
 
 geometry_msgs::TransformStamped InputAdapter::lookUp(const std::string& world,
@@ -76,7 +75,7 @@ geometry_msgs::TransformStamped InputAdapter::lookUp(const std::string& world,
   }
   catch (const tf2::ExtrapolationException&)
   {
-    // A moving frame is usually told a little after the poses in it.
+    // A moving frame is usually published a little after the poses in it.
     const geometry_msgs::TransformStamped last = transforms_.lookupTransform(world, header.frame_id, ros::Time());
     if (std::abs((header.stamp - last.header.stamp).toSec()) > estimator_.config().pose_timeout)
       throw;
@@ -84,18 +83,18 @@ geometry_msgs::TransformStamped InputAdapter::lookUp(const std::string& world,
   }
 }
 
-std::string InputAdapter::transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const
+Result InputAdapter::transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const
 {
   const std::string& world = estimator_.config().world_frame;
   transform.setIdentity();
   if (header.frame_id == world)
-    return "";
+    return std::nullopt;
   if (header.frame_id.empty())
     return "header.frame_id is empty (expected '" + world + "')";
   try
   {
     transform = isometry(lookUp(world, header).transform);
-    return "";
+    return std::nullopt;
   }
   catch (const tf2::TransformException& error)
   {
@@ -103,185 +102,199 @@ std::string InputAdapter::transformToWorld(const std_msgs::Header& header, Eigen
   }
 }
 
-std::string InputAdapter::accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
+Result InputAdapter::accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
 {
-  return refused(acceptPose(body, message, nullptr, now), now);
+  return noted(tryPose(body, message, now), now);
 }
 
-std::string InputAdapter::acceptPose(Body body, const geometry_msgs::PoseStamped& message,
-                                     const Covariance* covariance, const ros::Time& now)
+Result InputAdapter::tryPose(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
 {
-  std::string why = stampProblem(message.header, now);
   Eigen::Isometry3d to_world;
-  if (why.empty())
-    why = transformToWorld(message.header, to_world);
-  if (!why.empty())
-    return why;
+  if (const Result error = checkHeader(message.header, now, to_world))
+    return error;
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
-  pose.position = to_world * vector(message.pose.position);
+  pose.position = core::Vector3(to_world * vector(message.pose.position));
   pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation);
-  if (covariance)
-  {
-    if (std::any_of(covariance->begin(), covariance->end(), [](double c) { return std::isnan(c); }))
-      return "its covariance is not a number";
-    pose.position_stddev = stddevs(*covariance, 0, to_world.rotation());
-    pose.orientation_stddev = stddevs(*covariance, 3, to_world.rotation()).maxCoeff();
-  }
-  return add(body, pose);
+  return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
 }
 
-std::string InputAdapter::accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
+// A velocity log in the body: its axes turn with the body.
+Result InputAdapter::bodyAxesToWorld(Body body, const std_msgs::Header& header, const ros::Time& now,
+                                     Eigen::Isometry3d& to_world) const
 {
-  std::string why = stampProblem(message.header, now);
-  Eigen::Isometry3d to_world = Eigen::Isometry3d::Identity();
-  if (why.empty() && message.header.frame_id == config(body).frame)
-  {
-    // A velocity log in the body: its axes turn with the body.
-    if (!track(body).hasPose())
-      return refused("a twist in the body's frame before any pose", now);
-    to_world.linear() = track(body).lastOrientation().toRotationMatrix();
-  }
-  else if (why.empty())
-  {
-    why = transformToWorld(message.header, to_world);
-  }
-  if (why.empty())
-  {
-    monitor::TwistMeasurement rates;
-    rates.t = time_.seconds(message.header.stamp);
-    rates.velocity = to_world.linear() * vector(message.twist.linear);
-    rates.angular_velocity = to_world.linear() * vector(message.twist.angular);
-    why = add(body, rates);
-  }
-  return refused(why, now);
+  if (header.frame_id != config(body).frame)
+    return checkHeader(header, now, to_world);
+  if (const Result error = checkStamp(header, now))
+    return error;
+  if (!track(body).hasPose())
+    return "a twist in the body's frame before any pose";
+  to_world = Eigen::Isometry3d(track(body).lastOrientation());
+  return std::nullopt;
 }
 
-std::string InputAdapter::accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
+Result InputAdapter::accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
+{
+  return noted(tryTwist(body, message, now), now);
+}
+
+Result InputAdapter::tryTwist(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
+{
+  Eigen::Isometry3d to_world;
+  if (const Result error = bodyAxesToWorld(body, message.header, now, to_world))
+    return error;
+  monitor::TwistMeasurement rates;
+  rates.t = time_.seconds(message.header.stamp);
+  rates.velocity = core::Vector3(to_world.linear() * vector(message.twist.linear));
+  rates.angular_velocity = to_world.linear() * vector(message.twist.angular);
+  return resultOf(body == Body::VESSEL ? estimator_.addVessel(rates) : estimator_.addVehicle(rates));
+}
+
+Result InputAdapter::accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
+{
+  return noted(tryOdometry(body, message, now), now);
+}
+
+Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
 {
   const auto& twist = message.twist.twist;
   if (!vector(twist.linear).allFinite() || !vector(twist.angular).allFinite())
-    return refused(describe(monitor::Rejection::NOT_FINITE), now);
-  geometry_msgs::PoseStamped pose;
-  pose.header = message.header;
-  pose.pose = message.pose.pose;
-  const std::string why = acceptPose(body, pose, &message.pose.covariance, now);
-  if (!why.empty())
-    return refused(why, now);
-  const Eigen::Quaterniond to_world = track(body).lastOrientation();
+    return describe(monitor::Rejection::NOT_FINITE);
+  Eigen::Isometry3d to_world;
+  if (const Result error = checkHeader(message.header, now, to_world))
+    return error;
+  if (hasNan(message.pose.covariance) || hasNan(message.twist.covariance))
+    return "its covariance is not a number";
+
+  monitor::PoseMeasurement pose;
+  pose.t = time_.seconds(message.header.stamp);
+  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0),
+                                 to_world, NOT_MEASURED_STDDEV);
+  pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.pose.orientation);
+  const monitor::MeasuredVector angles =
+      measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
+  if (!angles.isComplete())
+    pose.orientation.reset();
+
+  const Eigen::Isometry3d body_to_world(pose.orientation.value_or(track(body).lastOrientation()).normalized());
   monitor::TwistMeasurement rates;
-  rates.t = time_.seconds(message.header.stamp);
-  rates.velocity = to_world * vector(twist.linear);
-  rates.angular_velocity = to_world * vector(twist.angular);
-  rates.velocity_stddev = stddevs(message.twist.covariance, 0, to_world.toRotationMatrix());
-  // A twist that says that it was not measured.
-  if (estimator_.isVehicleObserved() && rates.velocity_stddev.minCoeff() > monitor::VesselMotionFilter::UNMEASURED)
-    return "";
-  return refused(add(body, rates), now);
+  rates.t = pose.t;
+  rates.velocity = measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world,
+                                  NOT_MEASURED_STDDEV);
+  rates.angular_velocity = body_to_world.linear() * vector(twist.angular);
+  if (rates.velocity.isEmpty())
+    return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
+  return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose, rates) : estimator_.addVehicle(pose, rates));
 }
 
-std::string InputAdapter::acceptLength(double t, double length, double rate)
+Result InputAdapter::tryLength(double t, double length, double rate)
 {
   if (estimator_.addPayout(t, length, rate))
-    return "";
+    return std::nullopt;
   const monitor::Config& config = estimator_.config();
-  if (!config.layout.sections.empty() || !config.layout.attachments.empty())
-    return "length = " + std::to_string(length) +
-           " (must be > 0 m, leave sections and attachments outside, change by 4.5 m/s at most, and be later than "
-           "the last)";
-  return "length = " + std::to_string(length) +
-         " (must be > 0 m, change by 4.5 m/s at most, and be later than the last)";
+  const bool has_layout = !config.layout.sections.empty() || !config.layout.attachments.empty();
+  return "length = " + std::to_string(length) + " (must be > 0 m, " +
+         (has_layout ? "leave sections and attachments outside, " : "") +
+         "change by 4.5 m/s at most, and be later than the last)";
 }
 
-std::string InputAdapter::acceptTurns(const std_msgs::Float64& message, const ros::Time& now)
+Result InputAdapter::accept(const Payout& message, const ros::Time& now)
+{
+  Result error = checkStamp(message.header, now);
+  if (!error && !std::isfinite(message.rate))
+    error = "rate is not finite";
+  if (!error)
+    error = tryLength(time_.seconds(message.header.stamp), message.length, message.rate);
+  return noted(error, now);
+}
+
+Result InputAdapter::acceptTurns(const std_msgs::Float64& message, const ros::Time& now)
+{
+  return noted(tryTurns(message, now), now);
+}
+
+Result InputAdapter::tryTurns(const std_msgs::Float64& message, const ros::Time& now)
 {
   const monitor::Config& config = estimator_.config();
   if (!config.winch)
-    return refused("turns of a winch that is not in the parameters (winch)", now);
+    return "turns of a winch that is not in the parameters (winch)";
   const core::WinchDrum drum(*config.winch, config.tether.diameter);
   if (!(message.data > 0.0 && message.data <= drum.turns()))
-    return refused(
-        "turns = " + std::to_string(message.data) + " (must be > 0 and <= " + std::to_string(drum.turns()) + ")",
-        now);
-  return refused(acceptLength(time_.seconds(now), drum.paidOut(message.data), monitor::TetherEstimate::NONE), now);
+    return "turns = " + std::to_string(message.data) + " (must be > 0 and <= " + std::to_string(drum.turns()) +
+           ")";
+  return tryLength(time_.seconds(now), drum.paidOut(message.data), monitor::TetherEstimate::NONE);
 }
 
-std::string InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Time& now)
+Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Time& now)
 {
-  if (!estimator_.model().sea().hasSeabed())
-    return refused("a depth without environment.seabed in the parameters", now);
+  if (!estimator_.simulation().model.environment().hasSeabed())
+    return noted("a depth without environment.seabed in the parameters", now);
   if (!estimator_.setDepth(message.data))
-    return refused("depth = " + std::to_string(message.data) + " (must be > 0 m and deeper than the waves)", now);
-  return "";
+    return noted("depth = " + std::to_string(message.data) + " (must be > 0 m and deeper than the waves)", now);
+  return std::nullopt;
 }
 
-std::string InputAdapter::accept(const geometry_msgs::WrenchStamped& message, const ros::Time& now)
+Result InputAdapter::accept(const geometry_msgs::WrenchStamped& message, const ros::Time& now)
 {
-  std::string why = stampProblem(message.header, now);
-  const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
+  return noted(tryThrust(message, now), now);
+}
+
+Result InputAdapter::tryThrust(const geometry_msgs::WrenchStamped& message, const ros::Time& now)
+{
+  if (const Result error = checkStamp(message.header, now))
+    return error;
+  if (!estimator_.vehicle().takesThrust())
+    return "thrust on a vehicle that is not simulated (vehicle.mode is tracked)";
   const std::string& frame = estimator_.config().vehicle.frame;
-  if (why.empty() && !estimator_.isVehicleSimulated())
-    why = "thrust on a vehicle that is not simulated (vehicle.mode is tracked)";
-  else if (why.empty() && message.header.frame_id != frame && !message.header.frame_id.empty())
-    why = "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
-  else if (why.empty() && !(thrust.force.allFinite() && thrust.torque.allFinite()))
-    why = describe(monitor::Rejection::NOT_FINITE);
-  if (why.empty())
-    estimator_.setThrust(time_.seconds(message.header.stamp), thrust);
-  return refused(why, now);
+  if (message.header.frame_id != frame && !message.header.frame_id.empty())
+    return "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
+  const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
+  if (!thrust.force.allFinite() || !thrust.torque.allFinite())
+    return describe(monitor::Rejection::NOT_FINITE);
+  estimator_.setThrust(time_.seconds(message.header.stamp), thrust);
+  return std::nullopt;
 }
 
-std::string InputAdapter::accept(const ObstacleArray& message, const ros::Time& now)
+Result InputAdapter::accept(const ObstacleArray& message, const ros::Time& now)
 {
-  std::string why = stampProblem(message.header, now);
+  return noted(tryObstacles(message, now), now);
+}
+
+Result InputAdapter::tryObstacles(const ObstacleArray& message, const ros::Time& now)
+{
   Eigen::Isometry3d to_world;
-  if (why.empty())
-    why = transformToWorld(message.header, to_world);
-  std::vector<core::Obstacle> obstacles;
-  for (std::size_t i = 0; i < message.obstacles.size() && why.empty(); ++i)
-  {
-    obstacles.emplace_back();
-    why = toObstacle(message.obstacles[i], to_world, obstacles.back());
-  }
-  if (why.empty())
-  {
-    const std::vector<std::string> faults =
-        estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
-    if (!faults.empty())
-      why = faults.front();
-  }
-  return refused(why, now);
+  if (const Result error = checkHeader(message.header, now, to_world))
+    return error;
+  std::vector<core::Obstacle> obstacles(message.obstacles.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    if (const Result error = toObstacle(message.obstacles[i], to_world, obstacles[i]))
+      return error;
+  const std::vector<std::string> faults =
+      estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
+  return faults.empty() ? std::nullopt : Result(faults.front());
 }
 
-std::string InputAdapter::accept(const Payout& message, const ros::Time& now)
+Result InputAdapter::accept(const CurrentProfile& message, const ros::Time& now)
 {
-  std::string why = stampProblem(message.header, now);
-  if (why.empty() && !std::isfinite(message.rate))
-    why = "rate is not finite";
-  if (why.empty())
-    why = acceptLength(time_.seconds(message.header.stamp), message.length, message.rate);
-  return refused(why, now);
+  return noted(tryCurrent(message, now), now);
 }
 
-std::string InputAdapter::accept(const CurrentProfile& message, const ros::Time& now)
+Result InputAdapter::tryCurrent(const CurrentProfile& message, const ros::Time& now)
 {
-  std::string why = stampProblem(message.header, now);
   Eigen::Isometry3d to_world;
-  if (why.empty())
-    why = transformToWorld(message.header, to_world);
-  if (why.empty() && message.depth.size() != message.velocity.size())
-    why = "depth has " + std::to_string(message.depth.size()) + " entries, velocity " +
-          std::to_string(message.velocity.size());
-  if (!why.empty())
-    return refused(why, now);
+  if (const Result error = checkHeader(message.header, now, to_world))
+    return error;
+  if (message.depth.size() != message.velocity.size())
+    return "depth has " + std::to_string(message.depth.size()) + " entries, velocity " +
+           std::to_string(message.velocity.size());
   std::vector<core::CurrentProfile::Sample> samples;
   for (std::size_t i = 0; i < message.depth.size(); ++i)
     samples.push_back({message.depth[i], to_world.linear() * vector(message.velocity[i])});
   const std::vector<std::string> faults = core::validate(samples);
   if (!faults.empty())
-    return refused(faults.front(), now);
+    return faults.front();
   estimator_.setCurrent(core::CurrentProfile(samples));
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace tether_monitor

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tether_monitor/ros/message_conversions.h"
+#include "tether_monitor/monitor/alarms/alarm_quantities.h"
+#include "tether_monitor/ros/alarm_text.h"
+#include "tether_monitor/ros/geometry_conversions.h"
 
 namespace tether_monitor
 {
@@ -42,6 +44,12 @@ Marker blank(const std_msgs::Header& header, const char* ns, int id, int type)
   return m;
 }
 
+double warningOf(const monitor::Config& config)
+{
+  const auto given = config.alarms.find(monitor::OVER_TENSION);
+  return given == config.alarms.end() ? 0.8 : given->second.warning.value_or(0.8);
+}
+
 Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
 {
   const monitor::Config& config = estimator.config();
@@ -53,13 +61,13 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator
     return m;
   }
   m.scale.x = std::max(config.tether.diameter, LINE_WIDTH * e.length);
-  const double warning = config.alarms.over_tension.warning.value_or(0.8);
+  const double warning = warningOf(config);
   for (std::size_t i = 0; i < e.stations.s.size(); ++i)
   {
     m.points.push_back(pointMessage(e.stations.position[i]));
-    const int element = std::min(static_cast<int>(i / 2), estimator.model().elements() - 1);
+    const int element = std::min(static_cast<int>(i / 2), estimator.simulation().model.elements() - 1);
     m.colors.push_back(utilisationColour(
-        e.stations.tension[i] / estimator.model().elementProperties(element).working_load, warning));
+        e.stations.tension[i] / estimator.simulation().model.elementProperties(element).working_load, warning));
   }
   return m;
 }
@@ -100,7 +108,8 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
     if (e.max_tension > 0.0)
       std::snprintf(tension, sizeof(tension), "largest tension %.3g N, %.0f %% of working load", e.max_tension,
                     100.0 * e.working_utilisation);
-    std::snprintf(text, sizeof(text), "%s%s%s   %s", describe(e.status),
+    const bool is_ok = e.status == monitor::Status::OK;
+    std::snprintf(text, sizeof(text), "%s%s%s   %s", is_ok ? "estimate valid" : describe(e.status),
                   e.reason == monitor::Reason::NONE ? "" : " ",
                   e.reason == monitor::Reason::NONE ? "" : describe(e.reason), tension);
   }
@@ -119,12 +128,13 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
 
 Marker obstacleBody(const std_msgs::Header& header, int k, const monitor::TetherEstimator& estimator)
 {
-  const core::Obstacle& obstacle = estimator.model().environment().obstacles[k];
+  const core::Obstacle& obstacle = estimator.simulation().model.environment().obstacles()[k];
+  const monitor::CableSimulation& simulation = estimator.simulation();
   const bool is_stepped = estimator.estimate().has_stations;
   Marker m = blank(header, "obstacle", k, Marker::CUBE);
   m.lifetime = ros::Duration(OBSTACLE_LIFETIME);  // one that is gone fades by itself
   m.pose.position =
-      pointMessage(is_stepped ? core::Vector3(estimator.state().obstacles[k].position + estimator.origin())
+      pointMessage(is_stepped ? core::Vector3(simulation.state.obstacles[k].position + simulation.origin())
                               : obstacle.position);
   m.pose.orientation = quaternionMessage(obstacle.orientation);
   core::Vector3 size = obstacle.size;
@@ -159,7 +169,7 @@ Marker seabedPatch(const std_msgs::Header& header, const monitor::TetherEstimato
   // Cells keep their places in the world while the tether moves.
   const double x0 = std::floor((0.5 * (a.x() + b.x()) - half) / cell) * cell;
   const double y0 = std::floor((0.5 * (a.y() + b.y()) - half) / cell) * cell;
-  const core::Seabed& seabed = *estimator.model().environment().seabed;
+  const core::Seabed& seabed = *estimator.simulation().model.environment().seabed();
   const auto corner = [&](int i, int j)
   {
     const double x = x0 + i * cell, y = y0 + j * cell;
@@ -194,10 +204,10 @@ visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const mo
   array.markers.push_back(forceArrow(header, 0, config, e, ends.vessel, e.stations.position.front()));
   array.markers.push_back(forceArrow(header, 1, config, e, ends.vehicle, e.stations.position.back()));
   array.markers.push_back(statusText(header, config, e, estimator.alarms()));
-  const std::vector<core::Obstacle>& obstacles = estimator.model().environment().obstacles;
+  const std::vector<core::Obstacle>& obstacles = estimator.simulation().model.environment().obstacles();
   for (std::size_t k = 0; k < obstacles.size(); ++k)
     array.markers.push_back(obstacleBody(header, static_cast<int>(k), estimator));
-  if (estimator.model().sea().hasSeabed())
+  if (estimator.simulation().model.environment().hasSeabed())
     array.markers.push_back(seabedPatch(header, estimator));
   return array;
 }

@@ -1,8 +1,11 @@
 #include "tether_monitor/ros/message_conversions.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "tether_monitor/monitor/measurements/rejection.h"
+#include "tether_monitor/ros/alarm_text.h"
+#include "tether_monitor/ros/geometry_conversions.h"
 
 namespace tether_monitor
 {
@@ -12,47 +15,6 @@ static_assert(static_cast<int>(monitor::Reason::UNCERTAIN) == TetherState::REASO
 static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
               "alarm state codes differ");
 static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
-
-Eigen::Vector3d vector(const geometry_msgs::Point& p)
-{
-  return {p.x, p.y, p.z};
-}
-
-Eigen::Vector3d vector(const geometry_msgs::Vector3& v)
-{
-  return {v.x, v.y, v.z};
-}
-
-Eigen::Quaterniond quaternion(const geometry_msgs::Quaternion& q)
-{
-  return {q.w, q.x, q.y, q.z};
-}
-
-Eigen::Isometry3d isometry(const geometry_msgs::Transform& transform)
-{
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.translation() = vector(transform.translation);
-  result.linear() = quaternion(transform.rotation).normalized().toRotationMatrix();
-  return result;
-}
-
-geometry_msgs::Point pointMessage(const Eigen::Vector3d& v)
-{
-  geometry_msgs::Point point;
-  point.x = v.x();
-  point.y = v.y();
-  point.z = v.z();
-  return point;
-}
-
-geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
-{
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
 
 void toMessage(const monitor::TetherEstimate& e, TetherState& out)
 {
@@ -71,9 +33,7 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
   out.position.resize(n);
   out.stress.assign(at.stress.begin(), at.stress.begin() + n);
   for (std::size_t i = 0; i < n; ++i)
-  {
     out.position[i] = pointMessage(at.position[i]);
-  }
   out.vehicle_relative =
       vectorMessage(n > 0 ? core::Vector3(at.position[n - 1] - at.position[0]) : core::Vector3::Constant(NONE));
   out.vessel_tension = e.vessel_tension;
@@ -95,16 +55,6 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
   out.vehicle_age = std::isnan(e.vehicle_age) ? std::numeric_limits<double>::infinity() : e.vehicle_age;
 }
 
-geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q)
-{
-  geometry_msgs::Quaternion message;
-  message.x = q.x();
-  message.y = q.y();
-  message.z = q.z();
-  message.w = q.w();
-  return message;
-}
-
 ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector<core::Obstacle>& obstacles)
 {
   ContactArray array;
@@ -124,7 +74,7 @@ ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector
   return array;
 }
 
-std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle)
+std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle)
 {
   const std::string name = "obstacle '" + message.name + "': ";
   if (message.shape > Obstacle::BOX)
@@ -147,7 +97,7 @@ std::string toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_worl
   obstacle.velocity = to_world.linear() * vector(message.velocity);
   obstacle.mass = message.mass;
   obstacle.friction = message.friction;
-  return "";
+  return std::nullopt;
 }
 
 nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
@@ -162,11 +112,14 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::str
   message.twist.twist.linear = vectorMessage(to_body * e.vehicle.velocity);
   message.twist.twist.angular = vectorMessage(to_body * e.vehicle.angular_velocity);
   if (std::isfinite(e.vehicle_position_stddev))
-    for (int i = 0; i < 3; ++i)
-    {
-      message.pose.covariance[7 * i] = e.vehicle_position_stddev * e.vehicle_position_stddev;
-      message.twist.covariance[7 * i] = e.vehicle_velocity_stddev * e.vehicle_velocity_stddev;
-    }
+  {
+    const core::Matrix3 R = to_body.toRotationMatrix();
+    const core::Matrix3 not_measured = NOT_MEASURED_VARIANCE * core::Matrix3::Identity();
+    setBlock(e.vehicle_position_covariance, 0, message.pose.covariance);
+    setBlock(not_measured, 3, message.pose.covariance);
+    setBlock(R * e.vehicle_velocity_covariance * R.transpose(), 0, message.twist.covariance);
+    setBlock(not_measured, 3, message.twist.covariance);
+  }
   return message;
 }
 
@@ -180,34 +133,6 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
   message.wrench.torque =
       vectorMessage(estimate.has_stations ? core::Vector3::Zero() : core::Vector3::Constant(NONE));
   return message;
-}
-
-const char* alarmStateText(monitor::AlarmState state)
-{
-  switch (state)
-  {
-    case monitor::AlarmState::NORMAL:
-      return "normal";
-    case monitor::AlarmState::UNACKNOWLEDGED:
-      return "ACTIVE";
-    case monitor::AlarmState::ACKNOWLEDGED:
-      return "active, acknowledged";
-    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
-      return "back in limits, not acknowledged";
-  }
-  return "unknown";
-}
-
-std::string alarmText(const monitor::Alarm& alarm)
-{
-  const monitor::AlarmDefinition& d = alarm.definition();
-  const char* side = d.side == monitor::Side::ABOVE ? "above" : "below";
-  char text[200];
-  const int used = std::snprintf(text, sizeof(text), "%s %s: %.3g, limit %s %.3g", d.name.c_str(),
-                                 alarmStateText(alarm.state()), alarm.value(), side, d.limit);
-  if (!std::isnan(alarm.s()))
-    std::snprintf(text + used, sizeof(text) - used, ", at s = %.1f m", alarm.s());
-  return text;
 }
 
 AlarmArray toMessage(const monitor::AlarmSet& set, const TimeOrigin& time)

@@ -7,6 +7,7 @@
 
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/ros/markers.h"
+#include "tether_monitor/ros/input_topics.h"
 #include "tether_monitor/ros/message_conversions.h"
 #include "tether_monitor/ros/parameter_server.h"
 
@@ -38,36 +39,26 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
   markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
   contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
-  if (estimator_.isVehicleSimulated())
+  if (estimator_.vehicle().takesThrust())
     vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
   reset_server_ = private_nh_.advertiseService("reset", &MonitorNode::reset, this);
   acknowledge_server_ = private_nh_.advertiseService("acknowledge", &MonitorNode::acknowledge, this);
 
   updater_.setHardwareID("tether");
   updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
-               { diagnose(estimator_, facts_, status); });
+               { diagnose(estimator_, diagnostic_inputs_, status); });
   updater_.add("vibration", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
-               { diagnoseVibration(facts_.vibration, status); });
+               { diagnoseVibration(diagnostic_inputs_.vibration, status); });
 
-  for (const auto& [name, body] :
-       {std::make_pair("vessel", Body::VESSEL), std::make_pair("vehicle", Body::VEHICLE)})
-  {
-    subscribeBody<geometry_msgs::PoseStamped>(std::string(name) + "/pose", body);
-    subscribeBody<geometry_msgs::TwistStamped>(std::string(name) + "/velocity", body);
-    subscribeBody<nav_msgs::Odometry>(std::string(name) + "/odom", body);
-  }
-  subscribe<Payout>("payout", &InputAdapter::accept);
-  subscribe<CurrentProfile>("current", &InputAdapter::accept);
-  subscribe<ObstacleArray>("obstacles", &InputAdapter::accept);
-  subscribe<geometry_msgs::WrenchStamped>("vehicle/thrust", &InputAdapter::accept);
-  subscribe<std_msgs::Float64>("seabed", &InputAdapter::acceptDepth);
-  subscribe<std_msgs::Float64>("turns", &InputAdapter::acceptTurns);
+  for (const InputTopic& topic : inputTopics())
+    subscribers_.push_back(topic.subscribe(nh_, INPUT_QUEUE,
+                                           [this, &topic](const InputMessage& message) { receive(topic, message); }));
 
   tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
                                            [this](const ros::WallTimerEvent&)
                                            {
-                                             lookAtVibration();
+                                             updateVibration();
                                              updater_.force_update();
                                            });
   const std::string elements =
@@ -76,41 +67,19 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
            config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
 }
 
-template <typename Message>
-void MonitorNode::subscribeBody(const std::string& topic, Body body)
-{
-  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, topic, body](const boost::shared_ptr<const Message>& message)
-  { receive(topic, [&](const ros::Time& now) { return adapter_.accept(body, *message, now); }); };
-  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
-                                                ros::TransportHints().tcpNoDelay()));
-}
-
-template <typename Message>
-void MonitorNode::subscribe(const std::string& topic,
-                            std::string (InputAdapter::*take)(const Message&, const ros::Time&))
-{
-  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, topic, take](const boost::shared_ptr<const Message>& message)
-  { receive(topic, [&](const ros::Time& now) { return (adapter_.*take)(*message, now); }); };
-  subscribers_.push_back(nh_.subscribe<Message>(topic, INPUT_QUEUE, callback, ros::VoidConstPtr(),
-                                                ros::TransportHints().tcpNoDelay()));
-}
-
-void MonitorNode::receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take)
+void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
 {
   const ros::Time now = ros::Time::now();
   if (now.isZero())
-    return noteRefusal(topic, "simulated time has not begun: nothing on /clock yet");
+    return noteRefusal(topic.name, "simulated time has not begun: nothing on /clock yet");
   ensureTimeBase(now);
-  noteRefusal(topic, take(now));
+  if (const std::optional<InputError> error = message.accept(adapter_, now))
+    noteRefusal(topic.name, *error);
 }
 
-void MonitorNode::noteRefusal(const std::string& topic, const std::string& why)
+void MonitorNode::noteRefusal(const std::string& topic, const InputError& why)
 {
-  if (why.empty())
-    return;
-  RefusalCount& refusal = facts_.refusals[topic];
+  RefusalCount& refusal = diagnostic_inputs_.refusals[topic];
   ++refusal.count;
   refusal.last_reason = why;
   ROS_WARN_THROTTLE(REFUSAL_LOG_PERIOD, "refused a message on %s: %s", topic.c_str(), why.c_str());
@@ -143,11 +112,11 @@ void MonitorNode::tick()
   }
   last_tick_ = now;
   const double step_time = (ros::WallTime::now() - began).toSec();
-  facts_.worst_step_time = std::max(facts_.worst_step_time, step_time);
-  ++facts_.ticks;
+  diagnostic_inputs_.worst_step_time = std::max(diagnostic_inputs_.worst_step_time, step_time);
+  ++diagnostic_inputs_.ticks;
   if (e.status != before || e.reason != reason_before)
     ROS_INFO("%s%s%s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : ": ",
-             e.reason == monitor::Reason::NONE ? "" : advice(e.reason).c_str());
+             e.reason == monitor::Reason::NONE ? "" : advice(e.reason));
   publish(now, step_time);
 }
 
@@ -188,7 +157,7 @@ void MonitorNode::publishVehicle(const std_msgs::Header& header)
 // While something is touched, and once when nothing is any more.
 void MonitorNode::publishContacts(const std_msgs::Header& header)
 {
-  ContactArray contacts = contactsMessage(estimator_.estimate(), estimator_.model().environment().obstacles);
+  ContactArray contacts = contactsMessage(estimator_.estimate(), estimator_.simulation().model.environment().obstacles());
   const bool has_contact = !contacts.contacts.empty();
   if (!has_contact && !had_contact_)
     return;
@@ -197,13 +166,19 @@ void MonitorNode::publishContacts(const std_msgs::Header& header)
   contacts_pub_.publish(contacts);
 }
 
-void MonitorNode::lookAtVibration()
+void MonitorNode::updateVibration()
 {
   const ros::WallTime now = ros::WallTime::now();
   if ((now - last_vibration_).toSec() < VIBRATION_PERIOD)
     return;
-  facts_.vibration = monitor::reportVibration(estimator_);
-  if (!facts_.vibration.modes.empty())
+  if (!estimator_.isRunning() || !estimator_.estimate().has_stations)
+  {
+    diagnostic_inputs_.vibration = monitor::VibrationReport();
+    return;
+  }
+  diagnostic_inputs_.vibration = monitor::reportVibration(estimator_.simulation().model, estimator_.simulation().state,
+                                              estimator_.vortexShedding());
+  if (!diagnostic_inputs_.vibration.modes.empty())
     last_vibration_ = now;
 }
 

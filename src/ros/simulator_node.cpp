@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
@@ -12,7 +13,7 @@
 
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/params/load_simulation.h"
-#include "tether_monitor/ros/message_conversions.h"
+#include "tether_monitor/ros/geometry_conversions.h"
 #include "tether_monitor/ros/parameter_server.h"
 
 namespace tether_monitor
@@ -20,7 +21,6 @@ namespace tether_monitor
 namespace
 {
 constexpr int QUEUE = 20;
-constexpr double NOT_MEASURED = 1e6;     // variance
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
 
 visualization_msgs::Marker box(const std_msgs::Header& header, int id, const monitor::BodyState& body,
@@ -144,7 +144,12 @@ void SimulatorNode::tick()
 void SimulatorNode::publishMeasurements(double t)
 {
   for (const simulation::Measurement& m : vessel_sensor_.sample(t, simulator_.vessel()))
-    vessel_odometry_ ? publishOdometry(m) : publishBody(m, vessel_pose_, vessel_velocity_);
+  {
+    if (vessel_odometry_)
+      publishOdometry(m);
+    else
+      publishBody(m, vessel_pose_, vessel_velocity_);
+  }
   publishHeave(t);
   for (const simulation::Measurement& m : vehicle_sensor_.sample(t, simulator_.vehicle()))
     publishBody(m, vehicle_pose_, vehicle_velocity_);
@@ -198,7 +203,7 @@ void SimulatorNode::publishOdometry(const simulation::Measurement& m)
     message.pose.covariance[7 * i] = std::pow(std::max(plan_.vessel_sensor.position_stddev, 1e-3), 2);
     message.pose.covariance[7 * (i + 3)] = std::pow(std::max(plan_.vessel_sensor.orientation_stddev, 1e-4), 2);
     message.twist.covariance[7 * i] =
-        m.has_velocity ? std::pow(std::max(plan_.vessel_sensor.velocity_stddev, 1e-3), 2) : NOT_MEASURED;
+        m.has_velocity ? std::pow(std::max(plan_.vessel_sensor.velocity_stddev, 1e-3), 2) : NOT_MEASURED_VARIANCE;
     message.twist.covariance[7 * (i + 3)] = message.twist.covariance[7 * i];
   }
   vessel_odometry_.publish(message);
@@ -219,9 +224,9 @@ void SimulatorNode::publishHeave(double t)
   message.pose.pose.orientation = quaternionMessage(vessel.orientation);
   for (int i = 0; i < 3; ++i)
   {
-    message.pose.covariance[7 * i] = i < 2 ? NOT_MEASURED : std::pow(std::max(plan_.heave.stddev, 1e-3), 2);
+    message.pose.covariance[7 * i] = i < 2 ? NOT_MEASURED_VARIANCE : std::pow(std::max(plan_.heave.stddev, 1e-3), 2);
     message.pose.covariance[7 * (i + 3)] = 1e-8;
-    message.twist.covariance[7 * i] = message.twist.covariance[7 * (i + 3)] = NOT_MEASURED;
+    message.twist.covariance[7 * i] = message.twist.covariance[7 * (i + 3)] = NOT_MEASURED_VARIANCE;
   }
   vessel_odometry_.publish(message);
 }
@@ -248,7 +253,7 @@ void SimulatorNode::publishObstacles(double t)
   ObstacleArray array;
   array.header.stamp = stamp(t);
   array.header.frame_id = config_.world_frame;
-  const std::vector<core::Obstacle>& known = simulator_.model().environment().obstacles;
+  const std::vector<core::Obstacle>& known = simulator_.model().environment().obstacles();
   for (std::size_t k = 0; k < known.size(); ++k)
   {
     Obstacle message;

@@ -51,8 +51,8 @@ TEST(LoadConfig, DefaultsAreInPlace)
   EXPECT_EQ(c.rate, 20.0);
   EXPECT_EQ(c.pose_timeout, 1.0);
   EXPECT_EQ(c.invalid_timeout, 5.0);
-  EXPECT_EQ(*c.alarms.over_tension.warning, 0.8);
-  EXPECT_TRUE(c.alarms.over_tension.timing.latch);
+  EXPECT_EQ(*c.alarms.at("over_tension").warning, 0.8);
+  EXPECT_TRUE(c.alarms.at("over_tension").timing.latch);
 }
 
 TEST(LoadConfig, EveryRequiredKeyIsMissedByName)

@@ -144,11 +144,11 @@ TEST(RecordedMeasurements, AnEmptyFieldIsNone)
                                                       "0.2,0.3,0,1,3,4,-98,,100\n"));
   ASSERT_EQ(m.rows().size(), 3u);
   EXPECT_FALSE(m.rows()[0].vehicle);
-  EXPECT_EQ(m.rows()[1].vehicle->position_stddev.x(), 0.4);
-  EXPECT_GT(m.rows()[1].vessel->position_stddev.x(), monitor::VesselMotionFilter::UNMEASURED)
-      << "the height alone";
-  EXPECT_TRUE(std::isnan(m.rows()[1].vessel->position_stddev.z()));
-  EXPECT_TRUE(std::isnan(m.rows()[2].vehicle->position_stddev.x())) << "as configured";
+  ASSERT_EQ(m.rows()[1].vehicle->position.accuracy(0), monitor::Accuracy::SPECIFIED);
+  EXPECT_EQ(m.rows()[1].vehicle->position.stddev(0), 0.4);
+  EXPECT_FALSE(m.rows()[1].vessel->position.isMeasured(0)) << "the height alone";
+  EXPECT_EQ(m.rows()[1].vessel->position.accuracy(2), monitor::Accuracy::UNSPECIFIED);
+  EXPECT_EQ(m.rows()[2].vehicle->position.accuracy(0), monitor::Accuracy::UNSPECIFIED) << "as configured";
   EXPECT_NEAR(m.vesselAtFirstRow().velocity.x(), 1.5, 1e-9);
 }
 

@@ -35,13 +35,15 @@ std::vector<Moment> play(const ScenarioFile& scenario, double duration)
   return moments;
 }
 
+// @param stddev  NaN: not told.
 monitor::PoseMeasurement measured(double t, const monitor::BodyState& body, double stddev)
 {
   monitor::PoseMeasurement m;
   m.t = t;
   m.position = body.position;
+  if (!std::isnan(stddev))
+    m.position = monitor::MeasuredVector::withStddev(body.position, core::Vector3::Constant(stddev));
   m.orientation = body.orientation;
-  m.position_stddev.setConstant(stddev);
   return m;
 }
 
@@ -78,9 +80,10 @@ Score observe(const ScenarioFile& scenario, const std::vector<Moment>& moments, 
       estimator.addVessel(measured(m.time, m.body, plan.vessel_sensor.position_stddev));
     if (height && !is_lost)
     {
-      monitor::PoseMeasurement m = measured(now.t, now.vessel, 1e3);
-      m.position = {0.0, 0.0, *height};
-      m.position_stddev.z() = plan.heave.stddev;
+      monitor::PoseMeasurement m = measured(now.t, now.vessel, plan.heave.stddev);
+      m.position = m.position.at({0.0, 0.0, *height});
+      m.position.setNotMeasured(0);
+      m.position.setNotMeasured(1);
       estimator.addVessel(m);
     }
     for (const Measurement& m : fixes)

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "support/scenario_files.h"
+#include "tether_monitor/core/assembly/contact_summary.h"
+#include "tether_monitor/core/assembly/deployed_cable.h"
 #include "tether_monitor/core/solve/steady_state_solver.h"
 #include "tether_monitor/simulation/position_sensor.h"
 
@@ -85,7 +87,8 @@ TEST(Scenarios, TheRovDrawsItsTetherRoundThePile)
   for (double t = 0.0; t < 180.0; t += 0.5)
   {
     ASSERT_TRUE(simulator.advance(t)) << t;
-    core::summarizeContact(simulator.model(), simulator.state(), contact);
+    core::summarizeContact(core::DeployedCable(simulator.model(), simulator.state().deployment), simulator.state(),
+                           contact);
     pressed = std::max(pressed, contact.obstacles[0].force.norm());
     on_floor = std::max(on_floor, contact.seabed_length);
     const double speed = simulator.vehicle().velocity.norm();
@@ -105,7 +108,7 @@ TEST(Scenarios, PayOutAndRecoveryEndWhereTheyBegan)
   EXPECT_NEAR(simulator.payout().rate, 1.0, 1e-6);
   ASSERT_TRUE(simulator.advance(170.0));
   EXPECT_NEAR(simulator.payout().length, 300.0, 1e-3);
-  EXPECT_NEAR(simulator.model().mass(), 0.6 * 300.0, 1e-3);
+  EXPECT_NEAR(core::DeployedCable(simulator.model(), simulator.state().deployment).mass(), 0.6 * 300.0, 1e-3);
   ASSERT_TRUE(simulator.advance(500.0));
   EXPECT_NEAR(simulator.payout().length, 200.0, 1e-3);
   EXPECT_NEAR(simulator.endForces().vessel.norm(), start, 0.05 * start);

@@ -43,7 +43,7 @@ class NavigationFixture
       t += 0.05;
       ++ticks;
       if (ticks % 4 == 0)
-        estimator.addVessel(PoseMeasurement{t, vessel + 0.02 * noise()});
+        estimator.addVessel(PoseMeasurement{t, Vector3(vessel + 0.02 * noise())});
       if (ticks % 20 == 0)
         fix(t - lateness);
       estimator.tick(t);
@@ -52,7 +52,7 @@ class NavigationFixture
   }
   Rejection fix(double when)
   {
-    PoseMeasurement pose{when, vehicleAt(when) + 0.2 * noise()};
+    PoseMeasurement pose{when, Vector3(vehicleAt(when) + 0.2 * noise())};
     last_fix = pose;
     return vehicle_alive ? estimator.addVehicle(pose) : Rejection::NONE;
   }

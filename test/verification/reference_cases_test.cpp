@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tether_monitor/core/assembly/deployed_cable.h"
 #include "tether_monitor/core/solve/mesh_convergence.h"
 #include "verification/reference_cases.h"
 
@@ -115,7 +116,8 @@ TEST(Cases, FSlackBightFrom50ElementsOnAndCoarseBelow)
     core::NodeField shape;
     ASSERT_TRUE(statics.solve(model, c.start, shape).converged());
     core::StationProfile stations(elements);
-    core::computeStations(model, core::CableState(0.0, shape, core::Vector3::Zero()), stations);
+    core::computeStations(core::DeployedCable(model), core::CableState(0.0, shape, core::Vector3::Zero()),
+                          stations);
     EXPECT_GT(stations.max_element_rotation, 1.2) << "the monitor says MESH_COARSE beyond";
   }
 }
@@ -129,13 +131,8 @@ TEST_P(ChosenMesh, KeepsTheAccuracyAtTheVesselEnd)
   const Case c = caseNamed(GetParam());
   constexpr double ACCURACY = 1e-3;
   const core::MeshSelection mesh = core::selectMesh(
-      [&](int elements)
-      {
-        core::CableModel model(c.tether, elements, c.sea);
-        model.setBodies(c.bodies);
-        return model;
-      },
-      c.start, ACCURACY, core::StepperOptions());
+      [&](int elements) { return core::CableModel(c.tether, elements, c.sea).withBodies(c.bodies); }, c.start,
+      ACCURACY, core::StepperOptions());
   EXPECT_TRUE(mesh.converged);
   EXPECT_LT(mesh.elements, core::MOST_ELEMENTS);
   EXPECT_LT(errors(c, usual(c, mesh.elements, mesh.step), fine(c, 150, 0.02)).vessel.rms, ACCURACY);

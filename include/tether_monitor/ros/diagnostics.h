@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tether_monitor/monitor/estimate/vibration_report.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
 
 namespace tether_monitor
 {
@@ -26,7 +27,7 @@ struct DiagnosticInputs
 };
 
 /// Fills a status with level, summary, numbers, likely cause and advice.
-void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& facts,
+void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs,
               diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Fills a status with natural frequencies and what excites them; WARN on resonance with the waves or strumming.

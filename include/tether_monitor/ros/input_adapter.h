@@ -10,6 +10,7 @@
 #include <tether_monitor/Payout.h>
 #include <tf2/buffer_core.h>
 
+#include <optional>
 #include <string>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
@@ -24,11 +25,14 @@ enum class Body
   VEHICLE
 };
 
+/// Why a message was refused, for a person.
+using InputError = std::string;
+
 /**
- * Takes messages into an estimator: checks stamp, frame and numbers, converts, and says what was wrong.
+ * Gives messages to an estimator: checks stamp, frame and numbers, converts, and says what was wrong.
  *
- * Every function returns an empty text if the message was taken, else the reason why it was not. A refused message
- * changes nothing but the estimator's note of a refusal. Used by the node and by the replay of bags.
+ * Every function returns nothing if the message was accepted, else why it was not. A refused message changes nothing
+ * but the estimator's note of a refusal. Used by the node and by the replay of bags.
  */
 class InputAdapter
 {
@@ -39,33 +43,41 @@ class InputAdapter
   /// Sets the epoch of the input clock; before the first message.
   void setTimeBase(const TimeOrigin& base) { time_ = base; }
 
-  std::string accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
-  std::string accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
+  std::optional<InputError> accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
+  std::optional<InputError> accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
   /// Pose in header.frame_id, twist in the body's axes (child_frame_id).
-  std::string accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
-  std::string accept(const Payout& message, const ros::Time& now);
-  std::string accept(const CurrentProfile& message, const ros::Time& now);
-  std::string accept(const ObstacleArray& message, const ros::Time& now);
+  std::optional<InputError> accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
+  std::optional<InputError> accept(const Payout& message, const ros::Time& now);
+  std::optional<InputError> accept(const CurrentProfile& message, const ros::Time& now);
+  std::optional<InputError> accept(const ObstacleArray& message, const ros::Time& now);
   /// Thrust on a simulated vehicle, in its own axes; other frames are refused.
-  std::string accept(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
+  std::optional<InputError> accept(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
   /// Depth of the sea [m].
-  std::string acceptDepth(const std_msgs::Float64& message, const ros::Time& now);
+  std::optional<InputError> acceptDepth(const std_msgs::Float64& message, const ros::Time& now);
   /// Turns of the winch drum since it was full.
-  std::string acceptTurns(const std_msgs::Float64& message, const ros::Time& now);
+  std::optional<InputError> acceptTurns(const std_msgs::Float64& message, const ros::Time& now);
 
  private:
-  std::string stampProblem(const std_msgs::Header& header, const ros::Time& now) const;
+  std::optional<InputError> noted(const std::optional<InputError>& error, const ros::Time& now);
+  std::optional<InputError> checkStamp(const std_msgs::Header& header, const ros::Time& now) const;
+  /// Stamp and frame of a message; `to_world` is the transform of its frame.
+  std::optional<InputError> checkHeader(const std_msgs::Header& header, const ros::Time& now,
+                                        Eigen::Isometry3d& to_world) const;
   /// Transform at the stamp, or the last one if that is at most pose_timeout away. @throws tf2::TransformException
   geometry_msgs::TransformStamped lookUp(const std::string& world, const std_msgs::Header& header) const;
-  std::string transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
-  std::string acceptLength(double t, double length, double rate);
-  std::string refused(const std::string& why, const ros::Time& now);
-  using Covariance = nav_msgs::Odometry::_pose_type::_covariance_type;
-  /// The same as accept(), with the covariance that the message has, if any; does not note a refusal.
-  std::string acceptPose(Body body, const geometry_msgs::PoseStamped& message, const Covariance* covariance,
-                         const ros::Time& now);
-  template <typename Measurement>
-  std::string add(Body body, const Measurement& measurement);
+  std::optional<InputError> transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
+  std::optional<InputError> bodyAxesToWorld(Body body, const std_msgs::Header& header, const ros::Time& now,
+                                            Eigen::Isometry3d& to_world) const;
+
+  std::optional<InputError> tryTwist(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
+  std::optional<InputError> tryOdometry(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
+  std::optional<InputError> tryPose(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
+  std::optional<InputError> tryThrust(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
+  std::optional<InputError> tryObstacles(const ObstacleArray& message, const ros::Time& now);
+  std::optional<InputError> tryCurrent(const CurrentProfile& message, const ros::Time& now);
+  std::optional<InputError> tryTurns(const std_msgs::Float64& message, const ros::Time& now);
+  std::optional<InputError> tryLength(double t, double length, double rate);
+
   const monitor::MotionBuffer& track(Body body) const;
   const monitor::BodyConfig& config(Body body) const;
 

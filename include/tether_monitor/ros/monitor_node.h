@@ -6,21 +6,20 @@
 #include <tether_monitor/TetherState.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/diagnostics.h"
 #include "tether_monitor/ros/input_adapter.h"
+#include "tether_monitor/ros/input_topics.h"
 
 namespace tether_monitor
 {
 /**
  * The ROS side of the monitor of one tether: subscribes, ticks, publishes.
  *
- * **Subscribes** (relative): vessel/pose, vehicle/pose, vessel/velocity, vehicle/velocity, vessel/odom,
- * vehicle/odom, payout, turns, current, obstacles, seabed, vehicle/thrust. **Publishes** (private): state,
+ * **Subscribes** (relative): inputTopics(). **Publishes** (private): state,
  * vessel_end/force, vehicle_end/force, over_tension, alarms, vehicle/estimate, contacts, markers; /diagnostics.
  * **Services** (private): reset, acknowledge.
  */
@@ -35,19 +34,14 @@ class MonitorNode
   MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
  private:
-  template <typename Message>
-  void subscribeBody(const std::string& topic, Body body);
-  /// Subscribes to a topic that `take` takes into the adapter.
-  template <typename Message>
-  void subscribe(const std::string& topic, std::string (InputAdapter::*take)(const Message&, const ros::Time&));
-  void receive(const std::string& topic, const std::function<std::string(const ros::Time&)>& take);
-  void noteRefusal(const std::string& topic, const std::string& why);
+  void receive(const InputTopic& topic, const InputMessage& message);
+  void noteRefusal(const std::string& topic, const InputError& why);
   void ensureTimeBase(const ros::Time& now);
   void tick();
   void publish(const ros::Time& stamp, double step_time);
   void publishVehicle(const std_msgs::Header& header);
   void publishContacts(const std_msgs::Header& header);
-  void lookAtVibration();
+  void updateVibration();
   void publishAlarms(const std_msgs::Header& header);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool acknowledge(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -62,7 +56,7 @@ class MonitorNode
   ros::Time last_tick_, last_alarms_;
   bool acknowledged_ = false;
   TetherState state_message_;
-  DiagnosticInputs facts_;
+  DiagnosticInputs diagnostic_inputs_;
   diagnostic_updater::Updater updater_;
 
   std::vector<ros::Subscriber> subscribers_;

@@ -1,5 +1,6 @@
 #include "tether_monitor/monitor/measurements/measured_vector.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace tether_monitor::monitor
@@ -13,7 +14,23 @@ bool MeasuredVector::isValid() const
     if (accuracy_[axis] == Accuracy::SPECIFIED && !(covariance_(axis, axis) > 0.0 && covariance_.row(axis).allFinite()))
       return false;
   }
-  return true;
+  return isPositiveSemidefinite();
+}
+
+bool MeasuredVector::isPositiveSemidefinite() const
+{
+  constexpr double ROUNDING = 1e-9;
+  const core::Vector3 scale = covariance_.diagonal().cwiseMax(0.0).cwiseSqrt();
+  core::Matrix3 correlation = core::Matrix3::Identity();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < i; ++j)
+    {
+      const double c = covariance_(i, j) == 0.0 ? 0.0 : covariance_(i, j) / (scale[i] * scale[j]);
+      if (!(std::abs(c) <= 1.0 + ROUNDING))
+        return false;
+      correlation(i, j) = correlation(j, i) = c;
+    }
+  return correlation.determinant() >= -ROUNDING;
 }
 
 double MeasuredVector::stddev(int axis) const

@@ -9,7 +9,7 @@ const char* describe(Rejection rejection)
     case Rejection::NONE:
       return "accepted";
     case Rejection::NOT_FINITE:
-      return "a number is not finite";
+      return "a number is not finite, or a covariance is none";
     case Rejection::BAD_QUATERNION:
       return "the orientation is not a unit quaternion";
     case Rejection::OUT_OF_ORDER:

@@ -40,7 +40,7 @@ struct Hanging
 {
   Hanging(int elements, const Vector3& velocity) : model(properties(), elements, Environment())
   {
-    model.setBodies({std::nullopt, weight()});
+    model = model.withBodies({std::nullopt, weight()});
     start = {{0, 0, -2}, {0, 0, -100}, velocity};
     NodeField shape;
     SteadyStateSolver statics(model.nodes());

@@ -75,7 +75,7 @@ TEST(Modes, HeaveResonanceOfAHangingBody)
   body.added_mass = Vector3::Constant(300.0);
   body.inertia = Vector3::Constant(100.0);
   CableModel model(p, 30, sea);
-  model.setBodies({std::nullopt, body});
+  model = model.withBodies({std::nullopt, body});
   const Steady hanging = steady(model, SteadyEnds{Vector3(0, 0, -1), {}, Vector3::Zero()});
   const std::vector<double> axial = frequencies(naturalModes(hanging.model, hanging.state, 60), ModeKind::AXIAL);
   ASSERT_FALSE(axial.empty());
@@ -93,7 +93,7 @@ TEST(Modes, HangingChain)
   RigidBody nothing;
   nothing.mass = 1e-3;
   nothing.inertia = Vector3::Ones();
-  model.setBodies({std::nullopt, nothing});
+  model = model.withBodies({std::nullopt, nothing});
   const Steady chain = steady(model, SteadyEnds());
   const std::vector<Mode> modes = naturalModes(chain.model, chain.state, 6);
   const double zeros[] = {2.404825557695773, 5.520078110286311, 8.653727912911013};  // of the Bessel function J0

@@ -5,6 +5,7 @@
 
 #include "support/matrix_compare.h"
 #include "support/tethers.h"
+#include "tether_monitor/core/assembly/contact_summary.h"
 
 namespace tether_monitor::core
 {
@@ -18,17 +19,18 @@ BoundaryConditions resting(const CableState& state)
 
 double kinetic(const CableModel& model, const CableState& state)
 {
-  return model.energy(state.q, state.v).kinetic;
+  return DeployedCable(model, state.deployment).energy(state.q, state.v).kinetic;
 }
 
 double wholeEnergy(const CableModel& model, const CableState& state)
 {
+  const DeployedCable cable(model, state.deployment);
   ContactSummary contact;
   contact.obstacles.resize(state.obstacles.size());
-  summarizeContact(model, state, contact);
-  double energy = model.energy(state.q, state.v).total() + contact.energy;
+  summarizeContact(cable, state, contact);
+  double energy = cable.energy(state.q, state.v).total() + contact.energy;
   for (std::size_t k = 0; k < state.obstacles.size(); ++k)
-    energy += 0.5 * model.environment().obstacles[k].mass * state.obstacles[k].velocity.squaredNorm();
+    energy += 0.5 * model.environment().obstacles()[k].mass * state.obstacles[k].velocity.squaredNorm();
   return energy;
 }
 
@@ -109,6 +111,7 @@ TEST(Contact, TangentIsTheDerivative)
   sea.obstacles.back().mass = 5.0;
   sea.obstacles.back().stiffness = 1e4;
   CableModel model(rope(12.0), 4, sea);
+  const DeployedCable cable(model);
   NodeField shape(5);
   for (int i = 0; i < 5; ++i)
     shape[i] << 3.0 * i, 0.2 * i, -10.0 - 0.05 * i + (i == 2 ? 4.0 : 0.0) - 0.3 * i, 1.0, 0.05, 0.0;
@@ -122,7 +125,7 @@ TEST(Contact, TangentIsTheDerivative)
   BorderedSystem border({true}, 5);
   for (NodeCoords& row : r)
     row.setZero();
-  addContact(model, state, w, r, &tangent, &border);
+  addContact(cable.contactScene(state), w, r, &tangent, &border);
   ASSERT_GT(r[1].norm(), 0.0) << "precondition: the floor is touched";
   ASSERT_GT(border.residual(0).norm(), 0.0) << "precondition: the ball is touched";
   const double h = 1e-7;
@@ -131,7 +134,7 @@ TEST(Contact, TangentIsTheDerivative)
     BorderedSystem b({true}, 5);
     for (NodeCoords& row : out)
       row.setZero();
-    addContact(model, s, w, out, nullptr, &b);
+    addContact(cable.contactScene(s), w, out, nullptr, &b);
     return Vector3(b.residual(0));
   };
   double scale = 0.0;
@@ -185,7 +188,7 @@ TEST(Seabed, ALaidTetherDoesNotCreep)
   for (int i = 0; i <= 30; ++i)
     EXPECT_LT((state.q[i] - settled.q[i]).head<3>().norm(), 1e-3) << "node " << i << " in ten minutes";
   ContactSummary summary;
-  summarizeContact(model, state, summary);
+  summarizeContact(DeployedCable(model, state.deployment), state, summary);
   EXPECT_NEAR(summary.seabed_length, 60.0, 0.5);
 }
 
@@ -223,10 +226,10 @@ TEST(Seabed, FallingOnTheFloorGainsNoEnergy)
   RigidBody light;
   light.mass = 0.1;
   light.inertia = Vector3::Ones();
-  model.setBodies({light, light});
+  model = model.withBodies({light, light});
   initializeContact(model, state);
   GeneralizedAlpha starter(model);
-  ASSERT_TRUE(starter.initialiseAcceleration(model, BoundaryConditions(), state).converged());
+  ASSERT_TRUE(starter.initializeAcceleration(model, BoundaryConditions(), state).converged());
   AdaptiveStepper stepper(model, StepperOptions());
   const auto energy = [&]
   {
@@ -278,7 +281,7 @@ TEST(Capstan, TensionRatioIsTheExponentialOfTheAngle)
   weight.inertia = Vector3::Ones();
   weight.force = {0.0, 0.0, -200.0};
   weight.drag_area = {0.0, 0.0, 0.0};
-  model.setBodies({std::nullopt, weight});
+  model = model.withBodies({std::nullopt, weight});
   CableState state(0.0, shape, Vector3::Zero());
   initializeContact(model, state);
   StepperOptions options;
@@ -309,7 +312,7 @@ TEST(Capstan, TensionRatioIsTheExponentialOfTheAngle)
   EXPECT_NEAR(ratio / count, std::exp(0.3 * M_PI), 0.03 * std::exp(0.3 * M_PI));
   ContactSummary summary;
   summary.obstacles.resize(1);
-  summarizeContact(model, state, summary);
+  summarizeContact(DeployedCable(model, state.deployment), state, summary);
   const EndForces f = endForces(model, state);
   EXPECT_NEAR(-summary.obstacles[0].force.z(), f.vessel.norm() + f.vehicle.norm(), 0.02 * f.vessel.norm())
       << "both legs press the drum";
@@ -330,22 +333,23 @@ TEST(Obstacle, OneWithAMassGetsTheMomentumThatTheTetherLoses)
   RigidBody light;
   light.mass = 0.5;
   light.inertia = Vector3::Ones();
-  model.setBodies({light, light});
+  model = model.withBodies({light, light});
   NodeField shape(21);
   for (int i = 0; i <= 20; ++i)
     shape[i] << 0.5 * i, 0.0, 0.1, 1.0, 0.0, 0.0;
   CableState state(0.0, shape, Vector3(0.2, 2.0, 0.0));
   initializeContact(model, state);
   GeneralizedAlpha starter(model);
-  ASSERT_TRUE(starter.initialiseAcceleration(model, BoundaryConditions(), state).converged());
+  ASSERT_TRUE(starter.initializeAcceleration(model, BoundaryConditions(), state).converged());
+  const DeployedCable cable(model, state.deployment);
   const auto tether = [&]
   {
     // Momentum of the consistent mass: m * integral of v, and the bodies.
     Vector3 sum = 0.5 * (state.v.front() + state.v.back()).head<3>();
     for (int i = 0; i < 20; ++i)
     {
-      const double l = model.element(i).length;
-      sum += model.element(i).mass * l *
+      const double l = cable.element(i).length;
+      sum += cable.element(i).mass * l *
              (0.5 * (state.v[i] + state.v[i + 1]).head<3>() + l / 12.0 * (state.v[i] - state.v[i + 1]).tail<3>());
     }
     return sum;

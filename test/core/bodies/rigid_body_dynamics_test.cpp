@@ -36,9 +36,7 @@ CableModel alone(const RigidBody& body, const Environment& sea, double mass_per_
   p.mass_per_length = mass_per_length;
   p.axial_stiffness = 1e-12;
   p.working_load = p.breaking_load = 1.0;
-  CableModel model(p, 1, sea);
-  model.setBodies({std::nullopt, body});
-  return model;
+  return CableModel(p, 1, sea).withBodies({std::nullopt, body});
 }
 
 CableState placed(const CableModel& model, const Vector3& attachment, const Vector3& velocity = Vector3::Zero())
@@ -64,7 +62,7 @@ struct Simulated
     options.step = step;
     options.spectral_radius = 1.0;
     options.newton.relative_tolerance = 1e-10;
-    if (state.time == 0.0 && !integrator.initialiseAcceleration(model, ends, state).converged())
+    if (state.time == 0.0 && !integrator.initializeAcceleration(model, ends, state).converged())
       return false;
     return AdaptiveStepper(model, options).advance(model, ends, state.time + duration, state).converged();
   }
@@ -95,35 +93,37 @@ TEST_P(BodyTangent, IsTheDerivative)
   // At the surface also the wet share changes: its part of drag and added mass is left out, so it moves little
   // there.
   const double motion = floats ? 0.02 : 1.0;
-  const AttachmentMotion at{Vector3(1, 2, floats ? 0.1 : -20.0), motion * random.vector(2.0),
-                            motion * random.vector(1.0)};
-  AttitudeState turned;
+  const EnvironmentModel environment(sea);
+  RigidBodyMotion at{
+      0.0, Vector3(1, 2, floats ? 0.1 : -20.0), motion * random.vector(2.0), motion * random.vector(1.0), {}};
+  AttitudeState& turned = at.attitude;
   turned.orientation =
       Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.vector(1.0).normalized()));
   turned.velocity = motion * random.vector(0.5);
   turned.acceleration = motion * random.vector(0.4);
   const Wrench thrust{random.vector(30.0), random.vector(5.0)};
   const TangentWeights w{1.3, 0.7, 0.4};
-  const RigidBodyResidual response = rigidBodyResidual(body, sea, 0.0, at, turned, thrust, w);
+  const RigidBodyResidual response = rigidBodyResidual(body, environment, at, thrust, w);
   const double h = 1e-6;
   Matrix3 force_n, moment_n, force_r, moment_r;
   for (int i = 0; i < 3; ++i)
   {
     const auto moved = [&](double by)
     {
-      AttachmentMotion m = at;
+      RigidBodyMotion m = at;
       m.position[i] += w.stiffness * by;
       m.velocity[i] += w.damping * by;
       m.acceleration[i] += w.mass * by;
-      return rigidBodyResidual(body, sea, 0.0, m, turned, thrust, w);
+      return rigidBodyResidual(body, environment, m, thrust, w);
     };
     const auto rotated = [&](double by)
     {
-      AttitudeState r = turned;
+      RigidBodyMotion m = at;
+      AttitudeState& r = m.attitude;
       r.orientation = r.orientation * Eigen::AngleAxisd(w.stiffness * by, Vector3::Unit(i));
       r.velocity[i] += w.damping * by;
       r.acceleration[i] += w.mass * by;
-      return rigidBodyResidual(body, sea, 0.0, at, r, thrust, w);
+      return rigidBodyResidual(body, environment, m, thrust, w);
     };
     force_n.col(i) = (moved(h).force - moved(-h).force) / (2.0 * h);
     moment_n.col(i) = (moved(h).moment - moved(-h).moment) / (2.0 * h);
@@ -272,8 +272,8 @@ TEST(FreeBody, AHullFloatsAtItsDraftAndFollowsLongWaves)
   {
     ASSERT_TRUE(waves.run(0.1, 0.1));
     const Vector3 at = waves.state.q[1].head<3>();
-    worst =
-        std::max(worst, std::abs(at.z() - waves.model.sea().wave().elevation(at.x(), at.y(), waves.state.time)));
+    worst = std::max(
+        worst, std::abs(at.z() - waves.model.environment().wave().elevation(at.x(), at.y(), waves.state.time)));
     pitch = std::max(pitch, std::abs(2.0 * waves.rotation().orientation.y()));
   }
   EXPECT_LT(worst, 0.12) << "a wave twenty times the hull lifts it like a float";

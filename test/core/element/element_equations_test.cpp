@@ -18,7 +18,7 @@ class ElementProperty : public ::testing::TestWithParam<unsigned>
   {
     ElementMotion at{q, ElementCoords::Zero(), ElementCoords::Zero()};
     ElementCoords force;
-    elementResidual(p, air(), at, force);
+    elementResidual(p, EnvironmentModel(air()), at, force);
     return force;
   }
   static double potential(const ElementParameters& p, const ElementCoords& q)
@@ -59,8 +59,9 @@ TEST_P(ElementProperty, ForceIsTheGradientOfTheEnergy)
 TEST_P(ElementProperty, TangentIsTheDerivativeOfTheResidual)
 {
   RandomElement random(GetParam());
-  Environment sea;
-  sea.current = CurrentProfile(Vector3(0.4, -0.3, 0.1));
+  Environment stream;
+  stream.current = CurrentProfile(Vector3(0.4, -0.3, 0.1));
+  const EnvironmentModel sea(stream);
   const ElementMotion& m = random.motion;
   ElementCoords residual;
   ElementMatrix mass, damping, stiffness;
@@ -91,8 +92,8 @@ TEST_P(ElementProperty, ResidualIsTheSameWithAndWithoutTangent)
   RandomElement random(GetParam());
   ElementCoords with, without;
   ElementMatrix tangent;
-  elementResidual(random.p, Environment(), random.motion, {1.0, 1.0, 1.0}, with, tangent);
-  elementResidual(random.p, Environment(), random.motion, without);
+  elementResidual(random.p, EnvironmentModel(Environment()), random.motion, {1.0, 1.0, 1.0}, with, tangent);
+  elementResidual(random.p, EnvironmentModel(Environment()), random.motion, without);
   EXPECT_TRUE(matricesNear(with, without, 1e-12 * (1.0 + with.norm())));
 }
 
@@ -136,7 +137,7 @@ TEST(ElementResponse, UnstretchedStraightElementIsForceFree)
   ElementMotion rest{ElementCoords::Zero(), ElementCoords::Zero(), ElementCoords::Zero()};
   rest.q << 0, 0, -10, 1, 0, 0, random.p.length, 0, -10, 1, 0, 0;
   ElementCoords force;
-  elementResidual(random.p, air(), rest, force);
+  elementResidual(random.p, EnvironmentModel(air()), rest, force);
   EXPECT_LT(force.norm(), 1e-9 * random.p.axial.stiffness);
 }
 
@@ -163,14 +164,15 @@ TEST(ElementResponse, WeightInWaterIsTheSubmergedWeight)
   ElementMotion rest{ElementCoords::Zero(), ElementCoords::Zero(), ElementCoords::Zero()};
   rest.q << 0, 0, -10, 1, 0, 0, random.p.length, 0, -10, 1, 0, 0;
   ElementCoords force;
-  const Environment sea;
+  const EnvironmentModel sea{Environment()};
   elementResidual(random.p, sea, rest, force);
-  const double weight = (random.p.mass - sea.water_density * random.p.area) * sea.gravity * random.p.length;
+  const double weight = (random.p.mass - sea.density() * random.p.area) * sea.gravity() * random.p.length;
   EXPECT_NEAR(force[2] + force[8], weight, 1e-10 * std::abs(weight) + 1e-12);
 
   rest.q[2] = rest.q[8] = 10.0;  // above the surface: dry
   elementResidual(random.p, sea, rest, force);
-  EXPECT_NEAR(force[2] + force[8], random.p.mass * sea.gravity * random.p.length, 1e-10 * weight * weight + 1e-9);
+  EXPECT_NEAR(force[2] + force[8], random.p.mass * sea.gravity() * random.p.length,
+              1e-10 * weight * weight + 1e-9);
 }
 
 }  // namespace tether_monitor::core

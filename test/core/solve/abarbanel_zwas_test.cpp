@@ -39,7 +39,7 @@ double grown(bool free_end, double courant, int corrections, int steps)
   const double stretch = 1.001;
   light.force.x() = 1.0e6 * 0.5 * (stretch * stretch - 1.0) * stretch;
   if (free_end)
-    model.setBodies({std::nullopt, light});
+    model = model.withBodies({std::nullopt, light});
   NodeField shape(11);
   RandomElement random(7);
   for (int i = 0; i < 11; ++i)
@@ -217,7 +217,7 @@ TEST(AbarbanelZwas, SettlesToTheSteadyTowOfTheImplicitScheme)
   for (int k = 0; k < 3; ++k)
   {
     CableModel model(p, 6, Environment());
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
     NodeField shape;
     SteadyStateSolver statics(model.nodes());
     SteadyEnds ends;

@@ -39,11 +39,12 @@ TEST_P(SteadyState, IsFoundIsAnEquilibriumAndStaysWhenElementsAreDoubled)
     // Second look at the residual, apart from the solver.
     const CableState state(0.0, shape, ends.velocity);
     NodeField residual(model.nodes());
-    model.assemble(state, residual);
+    const DeployedCable cable(model, state.deployment);
+    cable.assemble(state, residual);
     force[k] = -residual.front().head<3>();
     NewtonOptions tolerance;
     tolerance.relative_tolerance = 1e-7;
-    const ResidualSize size = imposePrescribedEnds(model, state.q, tolerance, PrescribedEnds(), residual);
+    const ResidualSize size = imposePrescribedEnds(cable, state.q, tolerance, PrescribedEnds(), residual);
     EXPECT_LE(size.largest, size.tolerance);
     EXPECT_TRUE(matricesNear(shape.front().head<3>(), ends.vessel, 1e-9));
     EXPECT_TRUE(matricesNear(shape.back().head<3>(), ends.vehicle, 1e-9));

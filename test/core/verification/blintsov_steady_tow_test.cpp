@@ -64,7 +64,7 @@ TEST(SteadyTow, EveryReferenceCaseWith50Elements)
     body.mass = 1025.0;
     body.volume = 1.0;  // neutral
     body.force = {row.x[7], 0.0, row.x[8]};
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
     SteadyStateSolver statics(model.nodes());
     NodeField shape;
     const SolveReport report = statics.solve(model, ends, shape);
@@ -99,7 +99,7 @@ TEST(SteadyTow, CriticalAngleOfALongTow)
     body.mass = 1.0;
     body.volume = 1.0 / 1025.0;
     body.inertia = Vector3::Ones();
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
     SteadyStateSolver statics(model.nodes());
     NodeField shape;
     ASSERT_TRUE(statics.solve(model, ends, shape).converged()) << V;
@@ -123,7 +123,7 @@ TEST(SteadyTow, ABodyFallsToTheDepthWhereDragAndWeightBalance)
   body.mass = 1500.0;
   body.volume = 1.0;
   body.drag_area = {0.5, 0.5, 0.5};
-  model.setBodies({std::nullopt, body});
+  model = model.withBodies({std::nullopt, body});
   SteadyStateSolver statics(model.nodes());
   NodeField shape;
   ASSERT_TRUE(statics.solve(model, ends, shape).converged());

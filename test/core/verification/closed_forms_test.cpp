@@ -61,7 +61,7 @@ TEST(ClosedForm, HangingStretch)
   p.length = 300.0;
   p.axial_stiffness = 5.0e6;
   CableModel model(p, 20, air());
-  model.setBodies({std::nullopt, weight(500.0)});
+  model = model.withBodies({std::nullopt, weight(500.0)});
   const NodeField shape = steadyShape(model, SteadyEnds());
   const double w = 1.43 * 9.81, W = 500.0 * 9.81;
   const double stretch = (W * 300.0 + 0.5 * w * 300.0 * 300.0) / 5.0e6;
@@ -86,7 +86,7 @@ void expectPulseToTravel(TautString& string, int axis, double stretch, double c)
     string.state.v[i][axis + 3] = -c * ddf(s);
   }
   GeneralizedAlpha integrator(*string.model, 1.0);
-  ASSERT_TRUE(integrator.initialiseAcceleration(*string.model, heldAt(string.state), string.state).converged());
+  ASSERT_TRUE(integrator.initializeAcceleration(*string.model, heldAt(string.state), string.state).converged());
   const double duration = 50.0 / c;
   for (int k = 0; k < 500; ++k)
     ASSERT_TRUE(integrator.step(*string.model, heldAt(string.state), duration / 500, string.state).converged());
@@ -121,7 +121,7 @@ TEST(ClosedForm, TerminalVelocityOfAFallingHorizontalCable)
   p.length = 40.0;
   CableModel model(p, 10, Environment());
   RigidBody end = weight(1e-3);
-  model.setBodies({end, end});
+  model = model.withBodies({end, end});
   NodeField shape(11);
   for (int i = 0; i <= 10; ++i)
     shape[i] << 4.0 * i, 0.0, -20.0, 1.0, 0.0, 0.0;
@@ -139,7 +139,7 @@ TEST(ClosedForm, TerminalVelocityOfACableThatSinksOnEnd)
   CableProperties p = towCable();
   p.length = 40.0;
   CableModel model(p, 10, Environment());
-  model.setBodies({weight(1e-3), weight(1e-3)});
+  model = model.withBodies({weight(1e-3), weight(1e-3)});
   NodeField shape(11);
   for (int i = 0; i <= 10; ++i)
     shape[i] << 0.0, 0.0, -20.0 - 4.0 * i, 0.0, 0.0, -1.0;
@@ -169,7 +169,7 @@ TEST(ReversedExposure, SameShapeAndForcesAtRestInTheStream)
     else
       sea.current = CurrentProfile(Vector3(-3.0, 0.0, 0.0));
     CableModel model(towCable(), 40, sea);
-    model.setBodies({std::nullopt, body});
+    model = model.withBodies({std::nullopt, body});
     shapes[k] = steadyShape(model, ends);
     forces[k] = endForces(model, CableState(0.0, shapes[k], ends.velocity));
   }
@@ -186,7 +186,7 @@ TEST(Ageing, HydrostaticCompressionTakesBuoyancyAndDrag)
   p.length = 1000.0;
   p.hydrostatic_compression = 2e-4;
   CableModel model(p, 40, Environment());
-  model.setBodies({std::nullopt, weight(200.0)});
+  model = model.withBodies({std::nullopt, weight(200.0)});
   const NodeField shape = steadyShape(model, SteadyEnds());
   const EndForces f = endForces(model, CableState(0.0, shape, Vector3::Zero()));
   const double c = 2e-4, L = 1000.0;
@@ -220,7 +220,7 @@ TEST(Ageing, PermanentElongationMakesItLongerNotHeavier)
   p.length = 100.0;
   p.permanent_elongation = 0.02;
   CableModel model(p, 20, air());
-  model.setBodies({std::nullopt, weight(300.0)});
+  model = model.withBodies({std::nullopt, weight(300.0)});
   const NodeField shape = steadyShape(model, SteadyEnds());
   const double W = 300.0 * 9.81, w = 1.43 * 9.81;
   const double stretch = (W * 100.0 + 0.5 * w * 1e4) / 6.75e7 * 1.02;
@@ -228,7 +228,7 @@ TEST(Ageing, PermanentElongationMakesItLongerNotHeavier)
   const CableState state(0.0, shape, Vector3::Zero());
   EXPECT_NEAR(endForces(model, state).vessel.norm(), W + w * 100.0, 1e-4 * W);
   StationProfile stations(20);
-  computeStations(model, state, stations);
+  computeStations(DeployedCable(model, state.deployment), state, stations);
   EXPECT_NEAR(stations.strain[20], (W + 0.5 * w * 100.0) / 6.75e7, 2e-6)
       << "elastic strain, without the elongation";
   EXPECT_NEAR(stations.tension[20], W + 0.5 * w * 100.0, 1e-3 * W);
@@ -278,7 +278,7 @@ TEST(Waves, MorisonForceOnATautTether)
     for (int i = 0; i < 400; ++i)
     {
       const double z = -6.0 - 4.01 * (i + 0.5) / 400;
-      const WaveMotion water = model.sea().wave().at(Vector3(0.0, 0.0, z), t);
+      const WaveMotion water = model.environment().wave().at(Vector3(0.0, 0.0, z), t);
       expected += 0.01 * (1025.0 * area * 2.0 * water.acceleration.x() +
                           0.5 * 1025.0 * 0.2 * 1.1 * std::abs(water.velocity.x()) * water.velocity.x());
     }

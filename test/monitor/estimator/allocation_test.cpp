@@ -84,11 +84,13 @@ TEST(Allocation, NorDoesAnObservedVehicle)
     for (int i = from; i < to; ++i)
     {
       const double t = 0.05 * i, wave = std::sin(0.7 * t);
-      estimator.addVessel(PoseMeasurement{t, {0.0, 0.0, 1.0 + 0.3 * wave}});
+      estimator.addVessel(PoseMeasurement{t, core::Vector3(0.0, 0.0, 1.0 + 0.3 * wave)});
       if (i % 5 == 0)  // satellites a little late
-        estimator.addVessel(PoseMeasurement{t - 0.07, {0.0, 0.0, 1.0 + 0.3 * std::sin(0.7 * (t - 0.07))}});
+        estimator.addVessel(
+            PoseMeasurement{t - 0.07, core::Vector3(0.0, 0.0, 1.0 + 0.3 * std::sin(0.7 * (t - 0.07)))});
       if (i % 20 == 0)  // a position a second late, some far off
-        estimator.addVehicle(PoseMeasurement{t - 1.0, {i % 200 == 0 ? 30.0 : 0.3 * wave, 0.01 * wave, -98.9}});
+        estimator.addVehicle(
+            PoseMeasurement{t - 1.0, core::Vector3(i % 200 == 0 ? 30.0 : 0.3 * wave, 0.01 * wave, -98.9)});
       estimator.tick(t);
     }
   };
@@ -97,8 +99,8 @@ TEST(Allocation, NorDoesAnObservedVehicle)
   const long before = allocations;
   run(600, 3000);
   EXPECT_EQ(allocations - before, 0);
-  EXPECT_GT(estimator.observer().replayedSteps(), 1000);
-  EXPECT_GT(estimator.observer().innovations().refused, 3);
+  EXPECT_GT(estimator.vehicle().observer()->replayedSteps(), 1000);
+  EXPECT_GT(estimator.vehicle().observer()->innovations().refused, 3);
 }
 
 TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)

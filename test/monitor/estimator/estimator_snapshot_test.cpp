@@ -58,7 +58,7 @@ TEST(EstimatorArchive, GoesOnBitForBit)
   drive(feeder, 3.0, length);
   ASSERT_TRUE(feeder.estimator.setDepth(81.0));
   drive(feeder, 2.0, length);
-  ASSERT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+  ASSERT_TRUE(feeder.estimator.isRunning()) << describe(feeder.estimator.estimate().reason);
   const std::vector<std::uint8_t> saved = feeder.estimator.save();
 
   EstimatorFixture other(fullConfig());
@@ -83,7 +83,7 @@ TEST(ChosenMesh, HasRoomForWhatIsFixedToTheTether)
   EstimatorFixture feeder(config);
   feeder.vehicle = {70.0, 0.0, -70.0};
   EXPECT_NO_THROW(feeder.run(2.0));
-  EXPECT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+  EXPECT_TRUE(feeder.estimator.isRunning()) << describe(feeder.estimator.estimate().reason);
 }
 
 TEST(ChosenMesh, StaysAsGivenWhereTheTrialsTellNothing)
@@ -102,11 +102,11 @@ TEST(EstimatorArchive, TakesOverAMeshThatWasChosen)
   config.accuracy = 3e-3;
   EstimatorFixture feeder(config);
   feeder.run(2.0);
-  ASSERT_TRUE(feeder.estimator.isSettled());
-  EXPECT_NE(feeder.estimator.model().elements(), config.elements);
+  ASSERT_TRUE(feeder.estimator.isRunning());
+  EXPECT_NE(feeder.estimator.simulation().model.elements(), config.elements);
   EstimatorFixture other(config);
   ASSERT_TRUE(other.estimator.restore(feeder.estimator.save()));
-  EXPECT_EQ(other.estimator.model().elements(), feeder.estimator.model().elements());
+  EXPECT_EQ(other.estimator.simulation().model.elements(), feeder.estimator.simulation().model.elements());
   other.t = feeder.t;
   EXPECT_EQ(other.run(1.0).vessel_tension, feeder.run(1.0).vessel_tension);
 }
@@ -120,7 +120,7 @@ TEST(EstimatorArchive, GoesOnAfterALongQuietTime)
     feeder.vessel.z() = 1.0 + 0.2 * std::sin(0.05 * k);
     feeder.run(0.05);
   }
-  ASSERT_TRUE(feeder.estimator.state().allFinite());
+  ASSERT_TRUE(feeder.estimator.simulation().state.allFinite());
   TetherEstimator other(testConfig());
   EXPECT_TRUE(other.restore(feeder.estimator.save()));
 }
@@ -138,7 +138,7 @@ TEST(EstimatorArchive, GoesOnBitForBitWithFittingsOnAWinch)
   EstimatorFixture feeder(config);
   double length = 100.0;
   drive(feeder, 20.0, length);
-  ASSERT_TRUE(feeder.estimator.isSettled()) << describe(feeder.estimator.estimate().reason);
+  ASSERT_TRUE(feeder.estimator.isRunning()) << describe(feeder.estimator.estimate().reason);
   EstimatorFixture other(config);
   ASSERT_TRUE(other.estimator.restore(feeder.estimator.save()));
   other.t = feeder.t;

@@ -138,13 +138,15 @@ TEST(Surroundings, AnObstacleKeepsItsWayThroughASilence)
   config.environment.obstacles = {ship};
   EstimatorFixture feeder(config);
   feeder.run(2.0);
-  const double start = feeder.estimator.state().obstacles[0].position.x() + feeder.estimator.origin().x();
+  const double start =
+      feeder.estimator.simulation().state.obstacles[0].position.x() + feeder.estimator.simulation().origin().x();
   feeder.vehicle_alive = false;
   ASSERT_EQ(feeder.run(8.0).status, Status::INVALID) << "precondition";
   feeder.vehicle_alive = true;
   ASSERT_EQ(feeder.run(2.0).status, Status::OK) << "precondition";
-  EXPECT_NEAR(feeder.estimator.state().obstacles[0].position.x() + feeder.estimator.origin().x(), start + 10.0,
-              1e-6);
+  EXPECT_NEAR(
+      feeder.estimator.simulation().state.obstacles[0].position.x() + feeder.estimator.simulation().origin().x(),
+      start + 10.0, 1e-6);
 }
 
 TEST(Surroundings, SettlingMovesNoObstacleThatTheTetherPushes)
@@ -191,7 +193,7 @@ TEST(VortexShedding, NeedsAFlow)
   ends.vessel.velocity = {0.03, 0.0, 0.0};
   TetherEstimator estimator(config);
   ASSERT_TRUE(estimator.begin(0.0, ends).has_stations);
-  EXPECT_EQ(estimator.strumming().length, 0.0) << "what creeps makes no vortices that matter";
+  EXPECT_EQ(estimator.vortexShedding().length, 0.0) << "what creeps makes no vortices that matter";
 }
 
 TEST(VortexShedding, AmplifiesDragAndTiltsTheTether)
@@ -206,10 +208,10 @@ TEST(VortexShedding, AmplifiesDragAndTiltsTheTether)
     config.drag_amplification = k == 0 ? 1.0 : 1.8;
     TetherEstimator estimator(config);
     ASSERT_TRUE(estimator.begin(0.0, ends).has_stations);
-    EXPECT_GT(estimator.strumming().length, 50.0);
+    EXPECT_GT(estimator.vortexShedding().length, 50.0);
     // 0.2 V / d of the flow across.
-    EXPECT_GT(estimator.strumming().highest_frequency, 10.0);
-    EXPECT_LT(estimator.strumming().highest_frequency, 0.2 * 1.5 / 0.012 + 1e-6);
+    EXPECT_GT(estimator.vortexShedding().highest_frequency, 10.0);
+    EXPECT_LT(estimator.vortexShedding().highest_frequency, 0.2 * 1.5 / 0.012 + 1e-6);
     depth[k] = -estimator.estimate().stations.position.back().z();
   }
   EXPECT_LT(depth[1], 0.95 * depth[0]);

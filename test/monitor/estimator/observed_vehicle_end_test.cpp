@@ -69,7 +69,7 @@ TEST(ObservedVehicle, LateMeasurementsGiveTheSameAsThoseInTime)
   EXPECT_NEAR(a.vessel_tension, b.vessel_tension,
               2.0 * std::hypot(a.vessel_tension_stddev, b.vessel_tension_stddev));
   EXPECT_LT(a.vessel_tension_stddev, 0.05 * a.vessel_tension);
-  EXPECT_GT(late.estimator.observer().replayedSteps(), 300);
+  EXPECT_GT(late.estimator.vehicle().observer()->replayedSteps(), 300);
 }
 
 TEST(ObservedVehicle, OrderOfArrivalDoesNotMatter)
@@ -78,8 +78,8 @@ TEST(ObservedVehicle, OrderOfArrivalDoesNotMatter)
   sea.run(30.0);
   TetherEstimator other = sea.estimator;
   const double t = sea.t;
-  const PoseMeasurement first{t - 0.8, sea.vehicleAt(t - 0.8) + Vector3(0.3, 0, 0)},
-      second{t - 0.4, sea.vehicleAt(t - 0.4) - Vector3(0.2, 0, 0)};
+  const PoseMeasurement first{t - 0.8, Vector3(sea.vehicleAt(t - 0.8) + Vector3(0.3, 0, 0))},
+      second{t - 0.4, Vector3(sea.vehicleAt(t - 0.4) - Vector3(0.2, 0, 0))};
   EXPECT_EQ(sea.estimator.addVehicle(first), Rejection::NONE);
   EXPECT_EQ(sea.estimator.addVehicle(second), Rejection::NONE);
   EXPECT_EQ(other.addVehicle(second), Rejection::NONE);

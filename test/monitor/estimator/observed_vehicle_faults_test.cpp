@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/navigation_fixture.h"
+#include "tether_monitor/monitor/estimator/filtered_vessel_end.h"
 
 namespace tether_monitor::monitor
 {
@@ -12,9 +13,9 @@ TEST(ObservedVehicle, AFixAtTheTimeOfASavedStateCounts)
   NavigationFixture sea;
   sea.lateness = 1.0;  // on the grid of the ticks
   sea.run(20.0);
-  const long before = sea.estimator.observer().innovations().accepted;
+  const long before = sea.estimator.vehicle().observer()->innovations().accepted;
   sea.run(30.0);
-  EXPECT_EQ(sea.estimator.observer().innovations().accepted - before, 30);
+  EXPECT_EQ(sea.estimator.vehicle().observer()->innovations().accepted - before, 30);
 }
 
 TEST(ObservedVehicle, LongLatencyAtAHighRateIsOnlyWork)
@@ -51,10 +52,14 @@ TEST(ObservedVehicle, ATetherThatStrumsBeginsWhereTheVehicleIs)
   NavigationFixture sea(config);
   sea.aside = 30.0;
   sea.depth = -90.0;
-  for (int i = 0; i < 1000 && !sea.estimator.isSettled(); ++i)
+  for (int i = 0; i < 1000 && !sea.estimator.isRunning(); ++i)
     sea.run(0.05);
-  ASSERT_TRUE(sea.estimator.isSettled());
-  EXPECT_NEAR(sea.estimator.estimate().vehicle.position.x(), 30.0, 3.0);
+  ASSERT_TRUE(sea.estimator.isRunning());
+  // It is in motion before the estimate tells of it.
+  const CableSimulation& tether = sea.estimator.simulation();
+  const BodyState vehicle =
+      BodyState::ofNode(tether.state, tether.model.elements(), tether.state.vehicle, config.vehicle.attachment);
+  EXPECT_NEAR(tether.origin().x() + vehicle.position.x(), 30.0, 3.0);
 }
 
 TEST(ObservedVehicle, OldPositionsDoNotBecomeNewBySettling)
@@ -75,14 +80,15 @@ TEST(ObservedVehicle, WhatWasNotMeasuredIsNoPosition)
   NavigationFixture sea;
   sea.run(40.0);
   sea.vehicle_alive = false;
-  const long before = sea.estimator.observer().innovations().accepted;
+  const long before = sea.estimator.vehicle().observer()->innovations().accepted;
   PoseMeasurement attitude, depth;
-  attitude.position_stddev.setConstant(1000.0);
-  depth.position_stddev = {1000.0, 1000.0, 0.1};
   for (int i = 0; i < 400; ++i)
   {
     attitude.t = depth.t = sea.t;
-    depth.position = {0.0, 0.0, sea.depth + 0.01 * std::sin(7.0 * i)};
+    depth.position =
+        MeasuredVector::withStddev({0.0, 0.0, sea.depth + 0.01 * std::sin(7.0 * i)}, Vector3::Constant(0.1));
+    depth.position.setNotMeasured(0);
+    depth.position.setNotMeasured(1);
     EXPECT_EQ(sea.estimator.addVehicle(attitude), Rejection::NONE);
     if (i >= 200 && i % 4 == 0)
     {
@@ -91,7 +97,7 @@ TEST(ObservedVehicle, WhatWasNotMeasuredIsNoPosition)
     sea.run(0.05);
   }
   EXPECT_EQ(sea.estimator.estimate().reason, Reason::VEHICLE_STALE) << "nobody has seen where it is";
-  EXPECT_NEAR(sea.estimator.observer().innovations().accepted - before, 50, 2) << "the depths";
+  EXPECT_NEAR(sea.estimator.vehicle().observer()->innovations().accepted - before, 50, 2) << "the depths";
 }
 
 TEST(ObservedVehicle, AWildVelocityOfTheVesselIsNotFollowed)
@@ -108,7 +114,7 @@ TEST(ObservedVehicle, AWildVelocityOfTheVesselIsNotFollowed)
       ASSERT_NEAR(e.vessel_tension, 480.0, 100.0) << wild;
     }
   }
-  EXPECT_GE(sea.estimator.vesselFilter().outliers(), 3);
+  EXPECT_GE(dynamic_cast<const FilteredVesselEnd&>(sea.estimator.vessel()).filter().outliers(), 3);
 }
 
 TEST(ObservedVehicle, ALateFixDoesNotUndoAnObstacle)
@@ -127,7 +133,8 @@ TEST(ObservedVehicle, ALateFixDoesNotUndoAnObstacle)
   sea.run(0.1);
   sea.fix(sea.t - 1.0);
   sea.run(0.1);
-  EXPECT_NEAR(sea.estimator.state().obstacles[0].position.x() + sea.estimator.origin().x(), 20.0, 1e-6);
+  EXPECT_NEAR(sea.estimator.simulation().state.obstacles[0].position.x() + sea.estimator.simulation().origin().x(),
+              20.0, 1e-6);
 }
 
 }  // namespace tether_monitor::monitor

@@ -21,7 +21,7 @@ TEST_P(HardToSettle, IsFoundByMotion)
   feeder.vehicle = {40.0, 0.0, -50.0};
   const TetherEstimate& e = feeder.run(2.0);
   ASSERT_NE(e.status, Status::INVALID) << describe(e.reason) << ", "
-                                       << core::describe(feeder.estimator.lastSolve().status);
+                                       << core::describe(feeder.estimator.simulation().last_solve.status);
   EXPECT_LT(e.vessel_tension, 100.0);
   EXPECT_NEAR(e.stations.stretched_length, 100.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/estimator_fixture.h"
+#include "tether_monitor/monitor/alarms/alarm_quantities.h"
 
 namespace tether_monitor::monitor
 {
@@ -149,7 +150,7 @@ TEST(Estimator, ACopyGoesOnAsTheOriginal)
   feeder.run(3.0);
   copy.run(3.0);
   EXPECT_EQ(feeder.estimator.estimate().vessel_tension, copy.estimator.estimate().vessel_tension);
-  EXPECT_EQ(feeder.estimator.state().q[5], copy.estimator.state().q[5]);
+  EXPECT_EQ(feeder.estimator.simulation().state.q[5], copy.estimator.simulation().state.q[5]);
 }
 
 TEST(Estimator, ACurrentChangesTheForces)
@@ -159,6 +160,18 @@ TEST(Estimator, ACurrentChangesTheForces)
   feeder.estimator.setCurrent(core::CurrentProfile(core::Vector3(0.0, 1.0, 0.0)));
   EXPECT_GT(std::abs(feeder.run(10.0).vessel_tension - before), 0.1 * before);
 }
+
+namespace
+{
+// Those of the alarms included.
+std::vector<std::string> faultsOf(const Config& config)
+{
+  std::vector<std::string> all = validate(config);
+  const std::vector<std::string> of_alarms = validateAlarms(config);
+  all.insert(all.end(), of_alarms.begin(), of_alarms.end());
+  return all;
+}
+}  // namespace
 
 struct Fault
 {
@@ -171,9 +184,9 @@ class ConfigRefuses : public ::testing::TestWithParam<Fault>
 TEST_P(ConfigRefuses, AndNamesTheKey)
 {
   Config config = testConfig();
-  ASSERT_TRUE(validate(config).empty()) << "precondition";
+  ASSERT_TRUE(faultsOf(config).empty()) << "precondition";
   GetParam().make(config);
-  const std::vector<std::string> found = validate(config);
+  const std::vector<std::string> found = faultsOf(config);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].find(GetParam().name), 0u) << found[0];
   EXPECT_THROW(TetherEstimator{config}, std::invalid_argument);
@@ -207,12 +220,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"vessel.attachment", [](Config& c) { c.vessel.attachment.x() = NAN; }},
         Fault{"vehicle.attachment", [](Config& c) { c.vehicle.attachment.x() = INFINITY; }},
         Fault{"world_frame", [](Config& c) { c.world_frame = ""; }},
-        Fault{"monitor.alarms.over_tension.warning", [](Config& c) { c.alarms.over_tension.warning = 1.5; }},
-        Fault{"monitor.alarms.breaking.limit", [](Config& c) { c.alarms.breaking.limit = NAN; }},
-        Fault{"monitor.alarms.slack.on_delay", [](Config& c) { c.alarms.slack.timing.on_delay = -1.0; }},
+        Fault{"monitor.alarms.over_tension.warning",
+              [](Config& c) { alarmConfig(c, "over_tension").warning = 1.5; }},
+        Fault{"monitor.alarms.breaking.limit", [](Config& c) { alarmConfig(c, "breaking").limit = NAN; }},
+        Fault{"monitor.alarms.slack.on_delay", [](Config& c) { alarmConfig(c, "slack").timing.on_delay = -1.0; }},
         Fault{"monitor.alarms.stale_input.off_delay",
-              [](Config& c) { c.alarms.stale_input.timing.off_delay = NAN; }},
+              [](Config& c) { alarmConfig(c, "stale_input").timing.off_delay = NAN; }},
         Fault{"monitor.alarms.bend_radius.deadband",
-              [](Config& c) { c.alarms.bend_radius.timing.deadband = -1.0; }}));
+              [](Config& c) { alarmConfig(c, "bend_radius").timing.deadband = -1.0; }}));
 
 }  // namespace tether_monitor::monitor

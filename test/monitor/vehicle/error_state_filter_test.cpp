@@ -26,6 +26,12 @@ TetherLinearization springs()
   return s;
 }
 
+// Of a measurement with independent axes.
+Matrix3 covarianceOf(const Vector3& stddev)
+{
+  return stddev.cwiseAbs2().asDiagonal();
+}
+
 VehicleErrorStateFilter started(const TetherLinearization& stiffness = springs())
 {
   VehicleErrorStateFilter filter;
@@ -65,14 +71,16 @@ TEST(VehicleErrorStateFilter, LearnsAForceThroughTheTether)
   VehicleErrorStateFilter filter = started();
   std::mt19937 generator(1);
   std::normal_distribution<double> normal(0.0, 0.3);
-  const Vector3 force(0.0, 150.0, -60.0), stddev = Vector3::Constant(0.3);
+  const Vector3 force(0.0, 150.0, -60.0);
+  const Matrix3 covariance = covarianceOf(Vector3::Constant(0.3));
   for (int k = 1; k <= 300 * 10; ++k)
   {
     world.move(0.1, force, filter.appliedForce());
     filter.predict(0.1, Vector3(-100, 0, 0), 1.0);
     if (k % 10 == 0)
       filter.correctPosition(
-          world.truth - world.nominal + Vector3(normal(generator), normal(generator), normal(generator)), stddev);
+          world.truth - world.nominal + Vector3(normal(generator), normal(generator), normal(generator)),
+          covariance);
   }
   EXPECT_NEAR(filter.disturbance().y(), 150.0, 3.0 * filter.forceStddev().y());
   EXPECT_NEAR(filter.disturbance().z(), -60.0, 3.0 * filter.forceStddev().z());
@@ -97,7 +105,7 @@ TEST(VehicleErrorStateFilter, ADoubtfulStartIsForgottenAndKeptInMindAsLong)
       world.move(0.1, Vector3(0.0, 200.0 * std::exp(-0.1 * k / 20.0), 0.0), filter.appliedForce());
       filter.predict(0.1, Vector3(-100, 0, 0), 1.0);
       if (k % 10 == 0)
-        filter.correctPosition(world.truth - world.nominal, Vector3::Constant(0.3));
+        filter.correctPosition(world.truth - world.nominal, covarianceOf(Vector3::Constant(0.3)));
       if (k == 200)
       {
         error[told] = filter.disturbance().y() - 200.0 * std::exp(-1.0);
@@ -136,10 +144,10 @@ TEST(VehicleErrorStateFilter, CoversWhatItDoesNotKnow)
       if (k % 10 == 0)
         filter.correctPosition(
             world.truth - world.nominal + 0.3 * Vector3(normal(generator), normal(generator), normal(generator)),
-            Vector3::Constant(0.3));
+            covarianceOf(Vector3::Constant(0.3)));
     }
     const double error = world.truth.y() - world.nominal.y() - filter.positionError().y();
-    ratio += error * error / std::pow(filter.positionStddev().y(), 2);
+    ratio += error * error / std::pow(filter.positionCovariance().diagonal().cwiseSqrt().y(), 2);
     ++n;
   }
   EXPECT_NEAR(ratio / n, 1.0, 0.5);
@@ -155,9 +163,9 @@ TEST(VehicleErrorStateFilter, HasNoUseForPositionsAlongATautTether)
   for (VehicleErrorStateFilter* filter : {&taut, &loose})
   {
     filter->predict(1.0, Vector3::Zero(), 1.0);
-    filter->correctPosition(Vector3(1.0, 0.0, 0.0), Vector3::Constant(0.3));
+    filter->correctPosition(Vector3(1.0, 0.0, 0.0), covarianceOf(Vector3::Constant(0.3)));
   }
-  EXPECT_LT(taut.positionStddev().x(), 0.3);
+  EXPECT_LT(taut.positionCovariance().diagonal().cwiseSqrt().x(), 0.3);
   EXPECT_GT(loose.disturbance().x() / loose.positionError().x(), -1e3);
   EXPECT_LT(taut.tensionStddev(springs().vessel), 5000.0 * 0.3) << "less than the position alone would say";
 }
@@ -166,7 +174,7 @@ TEST(VehicleErrorStateFilter, ThePullIsBoundedHoweverWrongThePosition)
 {
   VehicleErrorStateFilter filter = started();
   filter.inflatePositionCovariance(1000.0);
-  filter.correctPosition(Vector3(0.0, 500.0, 0.0), Vector3::Constant(0.3));
+  filter.correctPosition(Vector3(0.0, 500.0, 0.0), covarianceOf(Vector3::Constant(0.3)));
   EXPECT_NEAR(filter.positionError().y(), 500.0, 1.0);
   EXPECT_LE(filter.feedbackForce().norm(), 2.0 * ProcessNoiseModel().force + 1e-6);
 }
@@ -178,7 +186,7 @@ TEST(VehicleErrorStateFilter, StaysSoundForHours)
   {
     filter.predict(0.1, Vector3(-100, 0, 0), k % 1000 == 0 ? 100.0 : 1.0);
     if (k % 3000 > 1500 && k % 10 == 0)
-      filter.correctPosition(Vector3::Zero(), Vector3(0.3, 0.3, 1e6));
+      filter.correctPosition(Vector3::Zero(), covarianceOf(Vector3(0.3, 0.3, 1e6)));
   }
   EXPECT_TRUE(filter.isValid());
   const Eigen::SelfAdjointEigenSolver<VehicleErrorStateFilter::Matrix> eigen(filter.covariance());
@@ -191,7 +199,9 @@ namespace
 void judge(InnovationGate& judge, VehicleErrorStateFilter& filter, double t, const Vector3& offset)
 {
   filter.predict(1.0, Vector3::Zero(), judge.processNoiseScale());
-  judge.evaluate({t, VehicleMeasurement::Kind::POSITION, Vector3::Zero(), Vector3::Constant(0.3)}, offset, filter);
+  const VehicleMeasurement fix{t, VehicleMeasurement::Kind::POSITION,
+                               MeasuredVector::withStddev(Vector3::Zero(), Vector3::Constant(0.3))};
+  judge.evaluate(fix, offset, fix.noise(), filter);
 }
 
 // A judge that has believed a minute of good positions.

@@ -20,7 +20,7 @@ struct Tow
     : config(observedConfig()), model(config.tether, config.elements, config.environment), statics(model.nodes())
   {
     config.vehicle_body.mass = 600.0;
-    model.setBodies({std::nullopt, config.vehicle_body});
+    model = model.withBodies({std::nullopt, config.vehicle_body});
     ends.vessel = {0.0, 0.0, -1.0};
     ends.velocity = {2.0, 0.0, 0.0};
   }
@@ -30,13 +30,20 @@ struct Tow
   {
     core::RigidBody body = config.vehicle_body;
     body.force += force;
-    core::CableModel loaded = model;
-    loaded.setBodies({std::nullopt, body});
+    const core::CableModel loaded = model.withBodies({std::nullopt, body});
     core::NodeField shape;
     core::SteadyEnds at = ends;
     at.vehicle = {0.0, 0.0, -50.0};
     EXPECT_TRUE(statics.solve(loaded, at, shape).converged());
     return shape.back().head<3>();
+  }
+
+  // The likeliest start with a measured place that is known to `place_stddev` [m].
+  core::SolveReport find(const core::SteadyEnds& at, double place_stddev, const Vector3& thrust,
+                         const Vector3& force_stddev, VehicleInitialization& start)
+  {
+    const Matrix3 covariance = place_stddev * place_stddev * Matrix3::Identity();
+    return findVehicleInitialization(statics, model, {at, covariance, thrust, force_stddev}, start);
   }
 
   Config config;
@@ -52,15 +59,13 @@ TEST(VehicleInitialization, FindsTheForceThatKeepsTheVehicleWhereItIs)
   const Vector3 force(60.0, -80.0, 10.0), usual(200.0, 200.0, 200.0);
   tow.ends.vehicle = tow.placeUnder(force);
   VehicleInitialization start;
-  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.01, Vector3::Zero(), usual, start)
-                  .converged());
+  ASSERT_TRUE(tow.find(tow.ends, 0.01, Vector3::Zero(), usual, start).converged());
   EXPECT_LT((start.force - force).norm(), 0.05 * force.norm()) << start.force.transpose();
   EXPECT_LT((start.shape.back().head<3>() - tow.ends.vehicle).norm(), 0.05);
   EXPECT_LT(start.cost, 3.0);
   // A place that nobody knows is left to the vehicle.
   tow.ends.vehicle += Vector3(0.0, 5.0, 0.0);
-  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 100.0, Vector3::Zero(), usual, start)
-                  .converged());
+  ASSERT_TRUE(tow.find(tow.ends, 100.0, Vector3::Zero(), usual, start).converged());
   EXPECT_LT(start.force.norm(), 30.0);
 }
 
@@ -70,7 +75,7 @@ TEST(VehicleInitialization, AThrustThatIsToldIsNoDisturbance)
   const Vector3 thrust(50.0, 70.0, 0.0), usual(200.0, 200.0, 200.0);
   tow.ends.vehicle = tow.placeUnder(thrust);
   VehicleInitialization start;
-  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.1, thrust, usual, start).converged());
+  ASSERT_TRUE(tow.find(tow.ends, 0.1, thrust, usual, start).converged());
   EXPECT_LT(start.force.norm(), 5.0);
 }
 
@@ -80,17 +85,14 @@ TEST(VehicleInitialization, AWrongSpeedOfTheWayIsAForce)
   tow.ends.vehicle = tow.placeUnder(Vector3::Zero());
   const Vector3 usual(200.0, 200.0, 200.0);
   VehicleInitialization start, faster;
-  ASSERT_TRUE(findVehicleInitialization(tow.statics, tow.model, tow.ends, 0.01, Vector3::Zero(), usual, start)
-                  .converged());
+  ASSERT_TRUE(tow.find(tow.ends, 0.01, Vector3::Zero(), usual, start).converged());
   const Matrix3 doubt = forceCovarianceFromVelocity(tow.statics, tow.model, tow.ends, {0.05, 0.05, 0.0}, start);
   Matrix3 expected = Matrix3::Zero();
   for (const int axis : {0, 1})
   {
     core::SteadyEnds wrong = tow.ends;
     wrong.velocity[axis] += 0.05;
-    ASSERT_TRUE(
-        findVehicleInitialization(tow.statics, tow.model, wrong, 0.001, Vector3::Zero(), 100.0 * usual, faster)
-            .converged());
+    ASSERT_TRUE(tow.find(wrong, 0.001, Vector3::Zero(), 100.0 * usual, faster).converged());
     expected += (faster.force - start.force) * (faster.force - start.force).transpose();
   }
   EXPECT_LT((doubt - expected).norm(), 0.1 * expected.norm()) << doubt << "\n" << expected;

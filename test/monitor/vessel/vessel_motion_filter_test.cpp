@@ -11,7 +11,20 @@ namespace
 {
 using core::Vector3;
 
-constexpr double UNMEASURED = 1e3;
+// @param stddev  NaN: not told.
+MeasuredVector positionOf(const Vector3& position, const Vector3& stddev)
+{
+  return stddev.array().isNaN().any() ? MeasuredVector(position) : MeasuredVector::withStddev(position, stddev);
+}
+
+// What a heave sensor measures.
+MeasuredVector heightOf(double z, double stddev)
+{
+  MeasuredVector height = positionOf({0.0, 0.0, z}, Vector3::Constant(stddev));
+  height.setNotMeasured(0);
+  height.setNotMeasured(1);
+  return height;
+}
 
 // A vessel under track in waves, with satellites at 5 Hz and a heave sensor at 20 Hz.
 struct Passage
@@ -45,11 +58,11 @@ Errors sail(Passage& passage, double stddev_told, VesselMotionFilter& filter)
     const double t = 0.05 * i;
     const core::EndMotion truth = passage.at(t);
     if (i % 4 == 0)
-      filter.addPosition(t,
-                         truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
-                         Vector3::Constant(stddev_told));
-    filter.addPosition(t, {0.0, 0.0, truth.position.z() + passage.noise(0.03)},
-                       {UNMEASURED, UNMEASURED, stddev_told > 0.0 ? 0.03 : stddev_told});
+      filter.addPosition(
+          t, positionOf(truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+                        Vector3::Constant(stddev_told)));
+    filter.addPosition(t,
+                       heightOf(truth.position.z() + passage.noise(0.03), stddev_told > 0.0 ? 0.03 : stddev_told));
     const VesselMotionFilter::Motion m = filter.blend(t);
     if (t > 60.0)
     {
@@ -98,20 +111,22 @@ TEST(VesselMotionFilter, LateMeasurementsTakeTheirPlace)
     const Vector3 a = passage.at(0.1 * i).position + Vector3::Constant(passage.noise(0.02));
     const Vector3 b = passage.at(0.1 * i + 0.1).position + Vector3::Constant(passage.noise(0.02));
     const Vector3 stddev = Vector3::Constant(0.02);
-    EXPECT_EQ(in_order.addPosition(0.1 * i, a, stddev), Rejection::NONE);
-    EXPECT_EQ(in_order.addPosition(0.1 * i + 0.1, b, stddev), Rejection::NONE);
-    EXPECT_EQ(shuffled.addPosition(0.1 * i + 0.1, b, stddev), Rejection::NONE);
-    const Rejection late = shuffled.addPosition(0.1 * i, a, stddev);
+    EXPECT_EQ(in_order.addPosition(0.1 * i, positionOf(a, stddev)), Rejection::NONE);
+    EXPECT_EQ(in_order.addPosition(0.1 * i + 0.1, positionOf(b, stddev)), Rejection::NONE);
+    EXPECT_EQ(shuffled.addPosition(0.1 * i + 0.1, positionOf(b, stddev)), Rejection::NONE);
+    const Rejection late = shuffled.addPosition(0.1 * i, positionOf(a, stddev));
     if (i > 16)
     {
       EXPECT_EQ(late, Rejection::NONE) << i;
     }
   }
   EXPECT_LT((in_order.at(60.0).end.position - shuffled.at(60.0).end.position).norm(), 1e-3);
-  EXPECT_EQ(shuffled.addPosition(1.0, Vector3::Zero(), Vector3::Constant(0.02)), Rejection::TOO_LATE)
+  EXPECT_EQ(shuffled.addPosition(1.0, positionOf(Vector3::Zero(), Vector3::Constant(0.02))), Rejection::TOO_LATE)
       << "far too late";
-  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)), Rejection::NONE);
-  EXPECT_EQ(shuffled.addPosition(59.9, passage.at(59.9).position, Vector3::Constant(0.02)), Rejection::REPEATED)
+  EXPECT_EQ(shuffled.addPosition(59.9, positionOf(passage.at(59.9).position, Vector3::Constant(0.02))),
+            Rejection::NONE);
+  EXPECT_EQ(shuffled.addPosition(59.9, positionOf(passage.at(59.9).position, Vector3::Constant(0.02))),
+            Rejection::REPEATED)
       << "twice";
 }
 
@@ -121,12 +136,12 @@ TEST(VesselMotionFilter, AnOutlierIsLeftOutAndALeapBelievedInTheEnd)
   const Vector3 stddev = Vector3::Constant(0.05);
   double t = 0.0;
   for (; t < 30.0; t += 0.2)
-    filter.addPosition(t, Vector3::Zero(), stddev);
-  filter.addPosition(t, Vector3(30.0, 0.0, 0.0), stddev);
+    filter.addPosition(t, positionOf(Vector3::Zero(), stddev));
+  filter.addPosition(t, positionOf(Vector3(30.0, 0.0, 0.0), stddev));
   EXPECT_LT(filter.at(t).end.position.norm(), 0.1);
   EXPECT_EQ(filter.outliers(), 1);
   for (int i = 0; i < 10; ++i)
-    filter.addPosition(t += 0.2, Vector3(30.0, 0.0, 0.0), stddev);
+    filter.addPosition(t += 0.2, positionOf(Vector3(30.0, 0.0, 0.0), stddev));
   EXPECT_NEAR(filter.at(t).end.position.x(), 30.0, 0.5);
 }
 
@@ -136,13 +151,13 @@ TEST(VesselMotionFilter, KnowsWhenItIsReadyAndHowOldItIs)
   EXPECT_FALSE(filter.hasPosition());
   EXPECT_TRUE(std::isinf(filter.age(0.0)));
   for (double t = 0.0; t < 4.0; t += 0.05)
-    filter.addPosition(t, {0.0, 0.0, 1.0}, {UNMEASURED, UNMEASURED, 0.03});
+    filter.addPosition(t, heightOf(1.0, 0.03));
   EXPECT_FALSE(filter.hasPosition()) << "a heave sensor alone is no position";
   for (double t = 4.0; t < 20.0; t += 0.2)
-    filter.addPosition(t, {0.0, 0.0, 1.0}, Vector3::Constant(0.02));
+    filter.addPosition(t, positionOf({0.0, 0.0, 1.0}, Vector3::Constant(0.02)));
   EXPECT_TRUE(filter.isReady(20.0));
   for (double t = 20.0; t < 25.0; t += 0.05)
-    filter.addPosition(t, {0.0, 0.0, 1.0}, {UNMEASURED, UNMEASURED, 0.03});
+    filter.addPosition(t, heightOf(1.0, 0.03));
   EXPECT_NEAR(filter.age(25.0), 5.1, 0.15) << "heave goes on, the position has stopped";
   EXPECT_GT(filter.at(25.0).position_stddev.x(), filter.at(25.0).position_stddev.z());
   EXPECT_EQ(filter.estimateTrack(25.0).velocity.z(), 0.0);
@@ -159,9 +174,9 @@ TEST(VesselMotionFilter, TheWavesRiseFromTheWayWithoutAnExcursion)
   {
     const core::EndMotion truth = passage.at(t);
     if (i % 4 == 0)
-      filter.addPosition(t,
-                         truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
-                         Vector3::Constant(0.02));
+      filter.addPosition(
+          t, positionOf(truth.position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+                        Vector3::Constant(0.02)));
     if (t < 12.0)
       continue;
     if (begun.position.isZero())
@@ -196,8 +211,8 @@ TEST(VesselMotionFilter, IsReadyAsSoonHoweverFastPositionsCome)
     {
       const double t = i * interval;
       const core::EndMotion truth = passage.at(t);
-      filter.addPosition(t, truth.position, Vector3::Constant(0.02));
-      filter.addVelocity(t, truth.velocity, Vector3::Constant(0.05));
+      filter.addPosition(t, positionOf(truth.position, Vector3::Constant(0.02)));
+      filter.addVelocity(t, MeasuredVector::withStddev(truth.velocity, Vector3::Constant(0.05)));
       if (filter.isReady(t))
         ready = t;
     }
@@ -218,9 +233,9 @@ TEST(VesselMotionFilter, AfterAGapItLooksAtTheWavesAnew)
     for (int i = 0; ready == 0.0 && i < 1600; ++i)
     {
       const double t = i < 200 ? 0.2 * i : gap + 0.2 * i;
-      filter.addPosition(
-          t, passage.at(t).position + Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
-          Vector3::Constant(0.02));
+      filter.addPosition(t, positionOf(passage.at(t).position +
+                                           Vector3(passage.noise(0.02), passage.noise(0.02), passage.noise(0.02)),
+                                       Vector3::Constant(0.02)));
       if (i >= 200 && filter.isReady(t))
         ready = t;
     }

@@ -21,6 +21,7 @@ class FilteredVesselEnd final : public VesselEnd
   /// A steady state has no waves: it begins on the vessel's track and fades into its motion.
   void aimAtStart(double t, EndTargets& targets) override;
   const MotionBuffer& track() const override { return track_; }
+  long outliers() const override { return filter_.outliers(); }
   const VesselMotionFilter& filter() const { return filter_; }
   bool isValid() const override { return track_.isValid() && filter_.isValid(); }
   void write(core::BinaryWriter& archive) const override { archive(track_, filter_); }

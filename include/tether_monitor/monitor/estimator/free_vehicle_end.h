@@ -18,6 +18,7 @@ class FreeVehicleEnd final : public VehicleEnd
   }
   void setThrust(double t, const core::Wrench& thrust) override;
   bool takesThrust() const override { return true; }
+  bool needsPoses() const override { return false; }
   void clear() override;
   bool isReady(double /*t*/) const override { return true; }
   /// Of the thrust: from the first on it ages as a pose does.

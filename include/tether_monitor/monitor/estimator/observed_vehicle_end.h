@@ -15,6 +15,7 @@ class ObservedVehicleEnd final : public VehicleEnd
   Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist) override;
   void setThrust(double t, const core::Wrench& thrust) override;
   bool takesThrust() const override { return true; }
+  bool acceptsLateMeasurements() const override { return true; }
   void clear() override;
   bool isReady(double t) const override { return observer_.isReady(t); }
   double age(double t, bool running) const override { return running ? observer_.age(t) : observer_.measuredAge(t); }

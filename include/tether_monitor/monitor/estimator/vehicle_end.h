@@ -30,6 +30,10 @@ class VehicleEnd
   /// Thrust on a simulated vehicle at time t [s], body axes.
   virtual void setThrust(double /*t*/, const core::Wrench& /*thrust*/) {}
   virtual bool takesThrust() const { return false; }
+  /// True if it cannot do without measured poses.
+  virtual bool needsPoses() const { return true; }
+  /// True if measurements may come late and out of order.
+  virtual bool acceptsLateMeasurements() const { return false; }
   virtual void clear() = 0;
 
   /// True if there are measurements enough to begin at time t [s].

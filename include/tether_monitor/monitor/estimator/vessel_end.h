@@ -35,6 +35,9 @@ class VesselEnd
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
 
+  /// Measurements that were too far off to be accepted.
+  virtual long outliers() const { return 0; }
+
   /// See MotionBuffer::isValid().
   virtual bool isValid() const = 0;
   virtual void write(core::BinaryWriter& archive) const = 0;

@@ -45,7 +45,8 @@ class MeasuredVector
   bool isMeasured(int axis) const { return accuracy_[axis] != Accuracy::NOT_MEASURED; }
   bool isComplete() const { return isMeasured(0) && isMeasured(1) && isMeasured(2); }
   bool isEmpty() const { return !isMeasured(0) && !isMeasured(1) && !isMeasured(2); }
-  /// True if every measured component is finite, with a variance > 0 where it is specified.
+  /// True if every measured component is finite, with a variance > 0 where it is specified, and the covariance is
+  /// positive semidefinite.
   bool isValid() const;
 
   /// Of an axis whose accuracy is specified, > 0.
@@ -67,6 +68,7 @@ class MeasuredVector
   }
 
  private:
+  bool isPositiveSemidefinite() const;
   void reset(int axis, Accuracy accuracy);
 
   core::Vector3 value_ = core::Vector3::Zero();

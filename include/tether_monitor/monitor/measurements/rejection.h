@@ -6,7 +6,7 @@ namespace tether_monitor::monitor
 enum class Rejection
 {
   NONE,
-  NOT_FINITE,      ///< a number is NaN or infinite, or a variance is negative.
+  NOT_FINITE,      ///< a number is NaN or infinite, or a covariance is not positive definite.
   BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
   OUT_OF_ORDER,    ///< not later than the last one of its kind.
   REPEATED,        ///< there is one of that time already.

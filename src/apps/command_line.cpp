@@ -1,0 +1,82 @@
+#include "command_line.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace tether_monitor::apps
+{
+namespace options = boost::program_options;
+
+CommandLine::CommandLine(const std::string& program, const std::string& summary)
+  : program_(program), summary_(summary), options_("Options", 110)
+{
+  add()("help,h", "print this and exit");
+}
+
+bool CommandLine::parse(int argc, const char* const* argv)
+{
+  namespace style = options::command_line_style;
+  try
+  {
+    options::store(options::command_line_parser(argc, argv)
+                       .options(options_)
+                       .style(style::unix_style & ~style::allow_guessing)
+                       .positional(options::positional_options_description())
+                       .run(),
+                   values_);
+    if (values_.count("help") > 0)
+    {
+      std::cout << summary_ << "\nUsage: " << program_ << " [OPTIONS]\n" << options_;
+      return false;
+    }
+    options::notify(values_);
+    return true;
+  }
+  catch (const options::error& error)
+  {
+    throw CommandLineError(error.what());
+  }
+}
+
+bool CommandLine::has(const std::string& option) const
+{
+  return values_.count(option) > 0 && !values_[option].defaulted();
+}
+
+void CommandLine::exclude(const std::string& one, const std::string& other) const
+{
+  if (has(one) && has(other))
+    throw CommandLineError("--" + one + " and --" + other + " cannot be given together");
+}
+
+void checkPositive(const std::string& option, double value)
+{
+  if (!(std::isfinite(value) && value > 0.0))
+    throw CommandLineError("--" + option + " must be > 0");
+}
+
+void checkNotNegative(const std::string& option, double value)
+{
+  if (!(std::isfinite(value) && value >= 0.0))
+    throw CommandLineError("--" + option + " must be >= 0");
+}
+
+int runProgram(const std::string& program, CommandLine& line, int argc, const char* const* argv,
+               const std::function<int()>& run)
+{
+  try
+  {
+    return line.parse(argc, argv) ? run() : 0;
+  }
+  catch (const CommandLineError& error)
+  {
+    std::cerr << program << ": " << error.what() << "\nRun with --help for more information.\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << program << ": " << error.what() << "\n";
+  }
+  return 1;
+}
+
+}  // namespace tether_monitor::apps

@@ -1,0 +1,99 @@
+#include "tether_monitor/ros/input_topics.h"
+
+#include <ros/message_traits.h>
+
+#include <algorithm>
+
+namespace tether_monitor
+{
+namespace
+{
+template <typename Message>
+using Accept = std::function<std::optional<InputError>(InputAdapter&, const Message&, const ros::Time&)>;
+
+template <typename Message>
+std::optional<ros::Time> stampOf(const Message& message)
+{
+  const ros::Time* stamp = ros::message_traits::timeStamp(message);
+  return stamp ? std::optional<ros::Time>(*stamp) : std::nullopt;
+}
+
+template <typename Message>
+InputMessage wrapped(const boost::shared_ptr<const Message>& message, const Accept<Message>& accept)
+{
+  return {stampOf(*message),
+          [message, accept](InputAdapter& adapter, const ros::Time& now) { return accept(adapter, *message, now); }};
+}
+
+template <typename Message>
+InputTopic topic(const char* name, const char* meaning, InputStream stream, bool is_pose,
+                 const Accept<Message>& accept)
+{
+  InputTopic entry;
+  entry.name = name;
+  entry.type = ros::message_traits::datatype<Message>();
+  entry.meaning = meaning;
+  entry.stream = stream;
+  entry.is_pose = is_pose;
+  const std::string topic_name = name;
+  entry.subscribe = [topic_name, accept](ros::NodeHandle& nh, int queue, const InputTopic::Callback& callback)
+  {
+    const boost::function<void(const boost::shared_ptr<const Message>&)> receive =
+        [accept, callback](const boost::shared_ptr<const Message>& message) { callback(wrapped(message, accept)); };
+    return nh.subscribe<Message>(topic_name, queue, receive, ros::VoidConstPtr(),
+                                 ros::TransportHints().tcpNoDelay());
+  };
+  entry.read = [accept](const rosbag::MessageInstance& instance) -> std::optional<InputMessage>
+  {
+    const boost::shared_ptr<const Message> message = instance.instantiate<Message>();
+    return message ? std::optional<InputMessage>(wrapped(message, accept)) : std::nullopt;
+  };
+  return entry;
+}
+
+template <typename Message>
+InputTopic bodyTopic(const char* name, const char* meaning, Body body, bool is_pose)
+{
+  const InputStream stream = body == Body::VESSEL ? InputStream::VESSEL : InputStream::VEHICLE;
+  return topic<Message>(name, meaning, stream, is_pose,
+                        [body](InputAdapter& adapter, const Message& message, const ros::Time& now)
+                        { return adapter.accept(body, message, now); });
+}
+
+template <typename Message>
+InputTopic otherTopic(const char* name, const char* meaning)
+{
+  return topic<Message>(name, meaning, InputStream::OTHER, false,
+                        [](InputAdapter& adapter, const Message& message, const ros::Time& now)
+                        { return adapter.accept(message, now); });
+}
+}  // namespace
+
+const std::vector<InputTopic>& inputTopics()
+{
+  static const std::vector<InputTopic> topics{
+      bodyTopic<geometry_msgs::PoseStamped>("vessel/pose", "where the vessel is", Body::VESSEL, true),
+      bodyTopic<geometry_msgs::PoseStamped>("vehicle/pose", "where the vehicle is", Body::VEHICLE, true),
+      bodyTopic<geometry_msgs::TwistStamped>("vessel/velocity", "velocity of the vessel", Body::VESSEL, false),
+      bodyTopic<geometry_msgs::TwistStamped>("vehicle/velocity", "velocity of the vehicle", Body::VEHICLE, false),
+      bodyTopic<nav_msgs::Odometry>("vessel/odom", "pose and velocity of the vessel", Body::VESSEL, true),
+      bodyTopic<nav_msgs::Odometry>("vehicle/odom", "pose and velocity of the vehicle", Body::VEHICLE, true),
+      otherTopic<Payout>("payout", "deployed length and its rate"),
+      topic<std_msgs::Float64>("turns", "turns that the winch has paid out", InputStream::OTHER, false,
+                               &InputAdapter::acceptTurns),
+      otherTopic<CurrentProfile>("current", "current by depth"),
+      otherTopic<ObstacleArray>("obstacles", "what the tether may touch"),
+      topic<std_msgs::Float64>("seabed", "depth of the sea", InputStream::OTHER, false, &InputAdapter::acceptDepth),
+      otherTopic<geometry_msgs::WrenchStamped>("vehicle/thrust", "thrust of a simulated vehicle"),
+  };
+  return topics;
+}
+
+const InputTopic* findInputTopic(const std::string& name)
+{
+  const auto found = std::find_if(inputTopics().begin(), inputTopics().end(),
+                                  [&](const InputTopic& topic) { return topic.name == name; });
+  return found == inputTopics().end() ? nullptr : &*found;
+}
+
+}  // namespace tether_monitor
