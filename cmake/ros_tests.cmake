@@ -4,9 +4,10 @@ find_package(roslaunch REQUIRED)
 
 roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
-catkin_add_gtest(ros_test test/ros/unit/message_conversions_test.cpp TIMEOUT 120)
-target_link_libraries(ros_test tether_monitor_ros)
-target_include_directories(ros_test PRIVATE test)
+foreach(unit geometry_conversions input_adapter input_topics markers message_conversions time_conversion)
+  add_unit_test(test/ros/unit/${unit}_test.cpp)
+  target_link_libraries(ros_unit_${unit}_test tether_monitor_ros)
+endforeach()
 
 foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown)
   add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)

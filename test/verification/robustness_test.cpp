@@ -27,6 +27,6 @@ TEST_P(Robustness, RandomTethersInRandomMotion)
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Robustness, testing::Range(1u, 101u),
-                         [](const auto& info) { return "Seed" + std::to_string(info.param); });
+                         [](const auto& seed) { return "Seed" + std::to_string(seed.param); });
 
 }  // namespace tether_monitor::fuzz

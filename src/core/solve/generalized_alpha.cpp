@@ -254,6 +254,8 @@ SolveReport GeneralizedAlpha::initializeAcceleration(const CableModel& model, co
   cable_.update(model, trial_.deployment);
   for (NodeCoords& a : trial_.a)
     a.setZero();
+  vessel_rotation_.setZero();
+  vehicle_rotation_.setZero();
   for (AttitudeState* attitude : {&trial_.vessel, &trial_.vehicle})
     attitude->acceleration.setZero();
   for (ObstacleMotion& obstacle : trial_.obstacles)

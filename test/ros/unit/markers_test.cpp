@@ -1,0 +1,44 @@
+#include "tether_monitor/ros/markers.h"
+
+#include <gtest/gtest.h>
+
+#include "support/estimator_fixture.h"
+
+namespace tether_monitor
+{
+monitor::Config config()
+{
+  monitor::Config c = monitor::testConfig();
+  c.elements = 10;
+  return c;
+}
+
+TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
+{
+  monitor::TetherEstimator estimator(config());
+  const auto names = [](const visualization_msgs::MarkerArray& array)
+  {
+    std::vector<std::pair<std::string, int>> ids;
+    for (const auto& m : array.markers)
+      ids.emplace_back(m.ns, m.id);
+    return ids;
+  };
+  const auto invalid = markers(std_msgs::Header(), estimator);
+  EXPECT_EQ(invalid.markers[0].action, visualization_msgs::Marker::DELETE);
+  estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.0, 0.0});
+  const auto valid = markers(std_msgs::Header(), estimator);
+  EXPECT_EQ(names(invalid), names(valid));
+  EXPECT_EQ(valid.markers[0].action, visualization_msgs::Marker::ADD);
+  EXPECT_EQ(valid.markers[0].points.size(), valid.markers[0].colors.size());
+}
+
+TEST(UtilisationColour, GoesFromGreenOverYellowToRed)
+{
+  EXPECT_GT(utilisationColour(0.0, 0.8).g, 0.7);
+  EXPECT_LT(utilisationColour(0.0, 0.8).r, 0.3);
+  EXPECT_GT(utilisationColour(0.8, 0.8).r, 0.9);
+  EXPECT_GT(utilisationColour(0.8, 0.8).g, 0.8);
+  EXPECT_LT(utilisationColour(1.2, 0.8).g, 0.1);
+}
+
+}  // namespace tether_monitor
