@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -49,9 +50,10 @@ TEST(InputTopics, StandInTheReadmeWithTheirTypes)
 
 TEST(InputTopics, AreRecordedByTheSimulation)
 {
-  const std::string launch = textOf("launch/sim.launch");
+  std::istringstream launch(textOf("launch/sim.launch"));
+  const std::set<std::string> words{std::istream_iterator<std::string>(launch), {}};
   for (const InputTopic& topic : inputTopics())
-    EXPECT_NE(launch.find(" " + topic.name + " "), std::string::npos) << topic.name;
+    EXPECT_EQ(words.count(topic.name), 1u) << topic.name;
 }
 
 }  // namespace tether_monitor
