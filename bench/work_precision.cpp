@@ -92,6 +92,79 @@ void show(const std::string& what, const json& r)
       r["worst_over_median_iterations"].get<double>());
 }
 
+// The same part by the implicit scheme with the same elements: at equal error, what each costs.
+void compareWithImplicit(const Case& part, const Record& reference, json& runs)
+{
+  for (json& explicit_run : runs)
+  {
+    if (!explicit_run["complete"].get<bool>())
+      continue;
+    core::StepperOptions options;
+    options.step = 0.05;
+    const Record r = fastest(part, explicit_run["elements"].get<int>(), options);
+    if (!r.complete)
+      continue;
+    Record cut = reference;
+    cut.vessel.resize(r.vessel.size());
+    cut.vehicle.resize(r.vessel.size());
+    const json same = describe(part, explicit_run["elements"].get<int>(), options.step, r, cut);
+    explicit_run["generalized_alpha_vessel_rms"] = same["vessel_rms"];
+    explicit_run["cpu_over_generalized_alpha"] = explicit_run["cpu_seconds"].get<double>() / r.cpu;
+    std::fprintf(stderr,
+                 "  N %d: abarbanel_zwas takes %.0f x the CPU of generalized_alpha (vessel %.2e and %.2e)\n",
+                 explicit_run["elements"].get<int>(), explicit_run["cpu_over_generalized_alpha"].get<double>(),
+                 explicit_run["vessel_rms"].get<double>(), same["vessel_rms"].get<double>());
+  }
+}
+
+json explicitRuns(const Case& c, const Record& reference)
+{
+  // The explicit scheme takes the steps that its limit allows, however long the bench's are; a part of the run
+  // tells what the whole would cost.
+  json runs = json::array();
+  Case part = c;
+  part.duration = std::min(c.duration, c.count_from + 20.0);
+  for (const int elements : {5, 10, 20})
+  {
+    core::StepperOptions options;
+    options.scheme = core::Scheme::ABARBANEL_ZWAS;
+    options.step = c.output;
+    options.max_iterations = 1000000;
+    const Record r = bench::run(part, elements, options);
+    const std::size_t whole = c.output == part.output ? reference.vessel.size() : 0;
+    Record cut = reference;
+    cut.vessel.resize(std::min(whole, static_cast<std::size_t>(std::lround(part.duration / part.output))));
+    cut.vehicle.resize(cut.vessel.size());
+    runs.push_back(describe(part, elements, c.output, r, cut));
+    show("abarbanel_zwas", runs.back());
+  }
+  compareWithImplicit(part, reference, runs);
+  return runs;
+}
+
+// elements: auto.
+json automaticRuns(const Case& c, const Record& reference)
+{
+  json runs = json::array();
+  for (const double accuracy : {1e-2, 1e-3, 1e-4})
+  {
+    const double begin = bench::cpuTime();
+    const core::MeshSelection mesh = core::selectMesh(
+        [&](int elements) { return core::CableModel(c.tether, elements, c.sea).withBodies(c.bodies); }, c.start,
+        accuracy, core::StepperOptions());
+    const double cpu = bench::cpuTime() - begin;
+    core::StepperOptions options;
+    options.step = mesh.step;
+    json r = describe(c, mesh.elements, mesh.step, fastest(c, mesh.elements, options), reference);
+    r["accuracy"] = accuracy;
+    r["expected"] = mesh.error;
+    r["choice_cpu_seconds"] = cpu;
+    runs.push_back(r);
+    show("auto " + std::to_string(accuracy), r);
+  }
+  return runs;
+}
+
 json workPrecision(const Case& c)
 {
   json out{{"case", c.name}, {"what", c.what}, {"duration", c.duration}};
@@ -116,66 +189,8 @@ json workPrecision(const Case& c)
     show("generalized_alpha", out["generalized_alpha"].back());
   }
 
-  // The explicit scheme takes the steps that its limit allows, however long the bench's are; a part of the run
-  // tells what the whole would cost.
-  out["abarbanel_zwas"] = json::array();
-  Case part = c;
-  part.duration = std::min(c.duration, c.count_from + 20.0);
-  for (const int elements : {5, 10, 20})
-  {
-    options = core::StepperOptions();
-    options.scheme = core::Scheme::ABARBANEL_ZWAS;
-    options.step = c.output;
-    options.max_iterations = 1000000;
-    const Record r = bench::run(part, elements, options);
-    const std::size_t whole = c.output == part.output ? reference.vessel.size() : 0;
-    Record cut = reference;
-    cut.vessel.resize(std::min(whole, static_cast<std::size_t>(std::lround(part.duration / part.output))));
-    cut.vehicle.resize(cut.vessel.size());
-    out["abarbanel_zwas"].push_back(describe(part, elements, c.output, r, cut));
-    show("abarbanel_zwas", out["abarbanel_zwas"].back());
-  }
-
-  // The same part by the implicit scheme with the same elements: at equal error, what each costs.
-  for (json& explicit_run : out["abarbanel_zwas"])
-  {
-    if (!explicit_run["complete"].get<bool>())
-      continue;
-    options = core::StepperOptions();
-    options.step = 0.05;
-    const Record r = fastest(part, explicit_run["elements"].get<int>(), options);
-    if (!r.complete)
-      continue;
-    Record cut = reference;
-    cut.vessel.resize(r.vessel.size());
-    cut.vehicle.resize(r.vessel.size());
-    const json same = describe(part, explicit_run["elements"].get<int>(), options.step, r, cut);
-    explicit_run["generalized_alpha_vessel_rms"] = same["vessel_rms"];
-    explicit_run["cpu_over_generalized_alpha"] = explicit_run["cpu_seconds"].get<double>() / r.cpu;
-    std::fprintf(stderr,
-                 "  N %d: abarbanel_zwas takes %.0f x the CPU of generalized_alpha (vessel %.2e and %.2e)\n",
-                 explicit_run["elements"].get<int>(), explicit_run["cpu_over_generalized_alpha"].get<double>(),
-                 explicit_run["vessel_rms"].get<double>(), same["vessel_rms"].get<double>());
-  }
-
-  // elements: auto.
-  out["auto"] = json::array();
-  for (const double accuracy : {1e-2, 1e-3, 1e-4})
-  {
-    const double begin = bench::cpuTime();
-    const core::MeshSelection mesh = core::selectMesh(
-        [&](int elements) { return core::CableModel(c.tether, elements, c.sea).withBodies(c.bodies); }, c.start,
-        accuracy, core::StepperOptions());
-    const double cpu = bench::cpuTime() - begin;
-    options = core::StepperOptions();
-    options.step = mesh.step;
-    json r = describe(c, mesh.elements, mesh.step, fastest(c, mesh.elements, options), reference);
-    r["accuracy"] = accuracy;
-    r["expected"] = mesh.error;
-    r["choice_cpu_seconds"] = cpu;
-    out["auto"].push_back(r);
-    show("auto " + std::to_string(accuracy), r);
-  }
+  out["abarbanel_zwas"] = explicitRuns(c, reference);
+  out["auto"] = automaticRuns(c, reference);
   return out;
 }
 

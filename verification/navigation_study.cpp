@@ -196,14 +196,15 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     vessel.t = t;
     if (i % every(sensors.satellite_interval) == 0)
     {
-      vessel.position = monitor::MeasuredVector::withStddev(truth.vessel[i].position + noise(sensors.satellite_stddev),
-                                                            Vector3::Constant(sensors.satellite_stddev));
+      vessel.position = monitor::MeasuredVector::withStddev(
+          truth.vessel[i].position + noise(sensors.satellite_stddev), Vector3::Constant(sensors.satellite_stddev));
       estimator.addVessel(vessel);
     }
     if (i % every(sensors.heave_interval) == 0 && observed)
     {
       const double height = truth.vessel[i].position.z() + sensors.heave_stddev * normal(generator);
-      vessel.position = monitor::MeasuredVector::withStddev({0.0, 0.0, height}, Vector3::Constant(sensors.heave_stddev));
+      vessel.position =
+          monitor::MeasuredVector::withStddev({0.0, 0.0, height}, Vector3::Constant(sensors.heave_stddev));
       vessel.position.setNotMeasured(0);
       vessel.position.setNotMeasured(1);
       estimator.addVessel(vessel);

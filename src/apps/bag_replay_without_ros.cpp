@@ -9,7 +9,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& /
                                    const replay::ReplayOptions& /*options*/,
                                    monitor::TetherEstimator& /*estimator*/, replay::ResultRecorder& /*recorder*/)
 {
-  throw std::runtime_error("the bag " + path + " cannot be read: this program was built without ROS; use --motion");
+  throw std::runtime_error("the bag " + path +
+                           " cannot be read: this program was built without ROS; use --motion");
 }
 
 }  // namespace tether_monitor

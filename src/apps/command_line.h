@@ -40,7 +40,8 @@ class CommandLine
 void checkPositive(const std::string& option, double value);
 void checkNotNegative(const std::string& option, double value);
 
-/// Calls parse() and then run(), and prints what goes wrong. @return the exit code: that of run(), 1 after an error.
+/// Calls parse() and then run(), and prints what goes wrong. @return the exit code: that of run(), 1 after an
+/// error.
 int runProgram(const std::string& program, CommandLine& line, int argc, const char* const* argv,
                const std::function<int()>& run);
 

@@ -105,7 +105,8 @@ int main(int argc, char** argv)
       "ns", options::value(&a.ns), "namespace of the topics in the bag")(
       "motion", options::value(&a.motion), "CSV file with the motion of both bodies")(
       "out", options::value(&a.out)->required(), "folder for the results, made if needed")(
-      "rate", options::value(&a.rate), "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
+      "rate", options::value(&a.rate),
+      "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
       "shape-rate", options::value(&a.shape_rate)->default_value(a.shape_rate),
       "shapes in shape.csv per second, 0 for none")("quiet", options::bool_switch(&a.quiet),
                                                     "no progress bar and no closing line");

@@ -40,16 +40,16 @@ void printSummary(const tether_monitor::replay::SteadyState& steady, const Argum
   const tether_monitor::monitor::TetherEstimate& estimate = steady.estimate;
   std::cout << describe(estimate.status) << " "
             << (estimate.reason == tether_monitor::monitor::Reason::NONE ? "" : describe(estimate.reason)) << " "
-            << tether_monitor::monitor::advice(estimate.reason) << "\ntension at the vessel end " << estimate.vessel_tension
-            << " N, at the vehicle end " << estimate.vehicle_tension << " N, largest " << estimate.max_tension
-            << " N at s = " << estimate.max_tension_s << " m\n";
+            << tether_monitor::monitor::advice(estimate.reason) << "\ntension at the vessel end "
+            << estimate.vessel_tension << " N, at the vehicle end " << estimate.vehicle_tension << " N, largest "
+            << estimate.max_tension << " N at s = " << estimate.max_tension_s << " m\n";
   if (estimate.seabed_contact_length > 0.0)
     std::cout << estimate.seabed_contact_length << " m lie on the seabed, from s = " << estimate.touchdown_s
               << " m on\n";
   const tether_monitor::core::VortexShedding& shedding = steady.vortex_shedding;
   if (shedding.length > 0.0)
-    std::cout << "vortices may shake " << shedding.length << " m of it at " << shedding.lowest_frequency
-              << " to " << shedding.highest_frequency << " Hz; its first transverse frequency is some "
+    std::cout << "vortices may shake " << shedding.length << " m of it at " << shedding.lowest_frequency << " to "
+              << shedding.highest_frequency << " Hz; its first transverse frequency is some "
               << shedding.fundamental_frequency << " Hz\n";
   if (arguments.modes > static_cast<int>(steady.modes.size()))
     std::cout << "only " << steady.modes.size() << " of " << arguments.modes << " modes exist or were found\n";

@@ -48,8 +48,8 @@ void EndsFile::write(const TetherEstimate& e)
   if (vehicle_ == VehicleColumns::RELATIVE)
   {
     const core::Vector3 chord = e.has_stations
-                                  ? core::Vector3(e.stations.position.back() - e.stations.position.front())
-                                  : core::Vector3::Constant(NONE);
+                                    ? core::Vector3(e.stations.position.back() - e.stations.position.front())
+                                    : core::Vector3::Constant(NONE);
     csv_.number(chord.x()).number(chord.y()).number(chord.z());
   }
   if (vehicle_ == VehicleColumns::POSE || vehicle_ == VehicleColumns::OBSERVED)

@@ -168,8 +168,8 @@ Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, c
 
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
-  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0),
-                                 to_world, NOT_MEASURED_STDDEV);
+  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0), to_world,
+                                 NOT_MEASURED_STDDEV);
   pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.pose.orientation);
   const monitor::MeasuredVector angles =
       measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
@@ -179,8 +179,8 @@ Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, c
   const Eigen::Isometry3d body_to_world(pose.orientation.value_or(track(body).lastOrientation()).normalized());
   monitor::TwistMeasurement rates;
   rates.t = pose.t;
-  rates.velocity = measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world,
-                                  NOT_MEASURED_STDDEV);
+  rates.velocity =
+      measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world, NOT_MEASURED_STDDEV);
   rates.angular_velocity = body_to_world.linear() * vector(twist.angular);
   if (rates.velocity.isEmpty())
     return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
@@ -269,8 +269,7 @@ Result InputAdapter::tryObstacles(const ObstacleArray& message, const ros::Time&
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     if (const Result error = toObstacle(message.obstacles[i], to_world, obstacles[i]))
       return error;
-  const std::vector<std::string> faults =
-      estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
+  const std::vector<std::string> faults = estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
   return faults.empty() ? std::nullopt : Result(faults.front());
 }
 

@@ -21,8 +21,8 @@ std::optional<ros::Time> stampOf(const Message& message)
 template <typename Message>
 InputMessage wrapped(const boost::shared_ptr<const Message>& message, const Accept<Message>& accept)
 {
-  return {stampOf(*message),
-          [message, accept](InputAdapter& adapter, const ros::Time& now) { return accept(adapter, *message, now); }};
+  return {stampOf(*message), [message, accept](InputAdapter& adapter, const ros::Time& now)
+          { return accept(adapter, *message, now); }};
 }
 
 template <typename Message>
@@ -39,7 +39,8 @@ InputTopic topic(const char* name, const char* meaning, InputStream stream, bool
   entry.subscribe = [topic_name, accept](ros::NodeHandle& nh, int queue, const InputTopic::Callback& callback)
   {
     const boost::function<void(const boost::shared_ptr<const Message>&)> receive =
-        [accept, callback](const boost::shared_ptr<const Message>& message) { callback(wrapped(message, accept)); };
+        [accept, callback](const boost::shared_ptr<const Message>& message)
+    { callback(wrapped(message, accept)); };
     return nh.subscribe<Message>(topic_name, queue, receive, ros::VoidConstPtr(),
                                  ros::TransportHints().tcpNoDelay());
   };
@@ -83,7 +84,8 @@ const std::vector<InputTopic>& inputTopics()
                                &InputAdapter::acceptTurns),
       otherTopic<CurrentProfile>("current", "current by depth"),
       otherTopic<ObstacleArray>("obstacles", "what the tether may touch"),
-      topic<std_msgs::Float64>("seabed", "depth of the sea", InputStream::OTHER, false, &InputAdapter::acceptDepth),
+      topic<std_msgs::Float64>("seabed", "depth of the sea", InputStream::OTHER, false,
+                               &InputAdapter::acceptDepth),
       otherTopic<geometry_msgs::WrenchStamped>("vehicle/thrust", "thrust of a simulated vehicle"),
   };
   return topics;

@@ -74,7 +74,8 @@ ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector
   return array;
 }
 
-std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle)
+std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world,
+                                      core::Obstacle& obstacle)
 {
   const std::string name = "obstacle '" + message.name + "': ";
   if (message.shape > Obstacle::BOX)

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/input_topics.h"
+#include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/message_conversions.h"
 #include "tether_monitor/ros/parameter_server.h"
 
@@ -51,8 +51,8 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                { diagnoseVibration(diagnostic_inputs_.vibration, status); });
 
   for (const InputTopic& topic : inputTopics())
-    subscribers_.push_back(topic.subscribe(nh_, INPUT_QUEUE,
-                                           [this, &topic](const InputMessage& message) { receive(topic, message); }));
+    subscribers_.push_back(topic.subscribe(
+        nh_, INPUT_QUEUE, [this, &topic](const InputMessage& message) { receive(topic, message); }));
 
   tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
@@ -157,7 +157,8 @@ void MonitorNode::publishVehicle(const std_msgs::Header& header)
 // While something is touched, and once when nothing is any more.
 void MonitorNode::publishContacts(const std_msgs::Header& header)
 {
-  ContactArray contacts = contactsMessage(estimator_.estimate(), estimator_.simulation().model.environment().obstacles());
+  ContactArray contacts =
+      contactsMessage(estimator_.estimate(), estimator_.simulation().model.environment().obstacles());
   const bool has_contact = !contacts.contacts.empty();
   if (!has_contact && !had_contact_)
     return;
@@ -176,8 +177,8 @@ void MonitorNode::updateVibration()
     diagnostic_inputs_.vibration = monitor::VibrationReport();
     return;
   }
-  diagnostic_inputs_.vibration = monitor::reportVibration(estimator_.simulation().model, estimator_.simulation().state,
-                                              estimator_.vortexShedding());
+  diagnostic_inputs_.vibration = monitor::reportVibration(
+      estimator_.simulation().model, estimator_.simulation().state, estimator_.vortexShedding());
   if (!diagnostic_inputs_.vibration.modes.empty())
     last_vibration_ = now;
 }

@@ -224,7 +224,8 @@ void SimulatorNode::publishHeave(double t)
   message.pose.pose.orientation = quaternionMessage(vessel.orientation);
   for (int i = 0; i < 3; ++i)
   {
-    message.pose.covariance[7 * i] = i < 2 ? NOT_MEASURED_VARIANCE : std::pow(std::max(plan_.heave.stddev, 1e-3), 2);
+    message.pose.covariance[7 * i] =
+        i < 2 ? NOT_MEASURED_VARIANCE : std::pow(std::max(plan_.heave.stddev, 1e-3), 2);
     message.pose.covariance[7 * (i + 3)] = 1e-8;
     message.twist.covariance[7 * i] = message.twist.covariance[7 * (i + 3)] = NOT_MEASURED_VARIANCE;
   }

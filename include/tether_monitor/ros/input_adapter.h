@@ -31,8 +31,8 @@ using InputError = std::string;
 /**
  * Gives messages to an estimator: checks stamp, frame and numbers, converts, and says what was wrong.
  *
- * Every function returns nothing if the message was accepted, else why it was not. A refused message changes nothing
- * but the estimator's note of a refusal. Used by the node and by the replay of bags.
+ * Every function returns nothing if the message was accepted, else why it was not. A refused message changes
+ * nothing but the estimator's note of a refusal. Used by the node and by the replay of bags.
  */
 class InputAdapter
 {

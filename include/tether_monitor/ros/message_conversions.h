@@ -26,7 +26,8 @@ ContactArray contactsMessage(const monitor::TetherEstimate& estimate,
                              const std::vector<core::Obstacle>& obstacles);
 
 /// An obstacle of a message whose frame is taken to the world by `to_world`. @return what is wrong, or nothing.
-std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world, core::Obstacle& obstacle);
+std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world,
+                                      core::Obstacle& obstacle);
 
 /// Pose and twist (in the body's axes) of a simulated vehicle; estimate.has_vehicle must hold.
 nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,

@@ -32,10 +32,7 @@ class Simulator
   Simulator(const monitor::Config& config, const SimulationConfig& simulation);
 
   /// Epoch of the clock that times count from [s]: waves are those of the clock. Before the first step.
-  void setEpoch(double epoch)
-  {
-    model_ = model_.withEnvironment(model_.environment().withTimeOrigin(epoch));
-  }
+  void setEpoch(double epoch) { model_ = model_.withEnvironment(model_.environment().withTimeOrigin(epoch)); }
 
   /// Steps to time t [s], not before the last. @return false if the solver failed: the simulation has ended.
   bool advance(double t);

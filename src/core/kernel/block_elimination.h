@@ -200,6 +200,38 @@ TM_INLINE void storeRight(double* b, const Column<W>& x)
     b[k] = copy[k];
 }
 
+// From the middle to both ends. @return zero if everything is finite.
+template <int W>
+TM_INLINE typename Simd<W>::Vector substituteFromMiddle(const BlockSystem& s, const Column<W>& at_middle)
+{
+  using V = typename Simd<W>::Vector;
+  constexpr int STORED = MATRIX + COLUMN;
+  const int last = s.nodes - 1, middle = s.nodes / 2;
+  Column<W> x = at_middle, y = at_middle;
+  V sum = x.x[0] - x.x[0];
+  int i = middle - 1, j = middle + 1;
+  while (i >= 0 || j <= last)
+  {
+    if (i >= 0)
+    {
+      substitute<W>(s.scratch + STORED * i, x);
+      storeRight<W>(s.b + 6 * i, x);
+      for (int p = 0; p < Column<W>::PACKS; ++p)
+        sum += x.x[p] - x.x[p];
+      --i;
+    }
+    if (j <= last)
+    {
+      substitute<W>(s.scratch + STORED * j, y);
+      storeRight<W>(s.b + 6 * j, y);
+      for (int p = 0; p < Column<W>::PACKS; ++p)
+        sum += y.x[p] - y.x[p];
+      ++j;
+    }
+  }
+  return sum;
+}
+
 template <int W>
 bool solveBlocks(const BlockSystem& s)
 {
@@ -256,29 +288,7 @@ bool solveBlocks(const BlockSystem& s)
   alive *= eliminate<W, 1, 0>(&down, nullptr);
   storeRight<W>(s.b + 6 * middle, down.b);
 
-  Column<W> x = down.b, y = down.b;
-  V sum = x.x[0] - x.x[0];
-  i = middle - 1;
-  j = middle + 1;
-  while (i >= 0 || j <= last)
-  {
-    if (i >= 0)
-    {
-      substitute<W>(s.scratch + STORED * i, x);
-      storeRight<W>(s.b + 6 * i, x);
-      for (int p = 0; p < Column<W>::PACKS; ++p)
-        sum += x.x[p] - x.x[p];
-      --i;
-    }
-    if (j <= last)
-    {
-      substitute<W>(s.scratch + STORED * j, y);
-      storeRight<W>(s.b + 6 * j, y);
-      for (int p = 0; p < Column<W>::PACKS; ++p)
-        sum += y.x[p] - y.x[p];
-      ++j;
-    }
-  }
+  const V sum = substituteFromMiddle<W>(s, down.b);
   double finite = alive[0] - alive[0];
   for (int k = 0; k < W; ++k)
     finite += sum[k];

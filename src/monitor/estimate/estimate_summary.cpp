@@ -66,8 +66,7 @@ void summarize(const core::DeployedCable& cable, TetherEstimate& e)
   e.vehicle_end_angle = angleBelow(at.vehicle_direction);
 }
 
-void describeContact(const core::DeployedCable& cable, const core::CableState& state,
-                     TetherEstimate& e)
+void describeContact(const core::DeployedCable& cable, const core::CableState& state, TetherEstimate& e)
 {
   core::summarizeContact(cable, state, e.contact);
   e.seabed_contact_length = e.contact.seabed_length;
@@ -76,8 +75,7 @@ void describeContact(const core::DeployedCable& cable, const core::CableState& s
     touch.place += cable.environment().origin();
 }
 
-void describeVehicle(const core::DeployedCable& cable, const core::CableState& state,
-                     TetherEstimate& e)
+void describeVehicle(const core::DeployedCable& cable, const core::CableState& state, TetherEstimate& e)
 {
   e.has_vehicle = true;
   e.vehicle = BodyState::ofNode(state, state.q.size() - 1, state.vehicle, cable.bodies().vehicle->attachment);

@@ -57,7 +57,8 @@ const char* advice(Reason reason)
     case Reason::NONE:
       return "";
     case Reason::NO_INPUT:
-      return "No pose yet from vessel or vehicle: check that vessel/pose (or odom) and vehicle/pose (or odom) are published and remapped to this node.";
+      return "No pose yet from vessel or vehicle: check that vessel/pose (or odom) and vehicle/pose (or odom) are "
+             "published and remapped to this node.";
     case Reason::SETTLING:
       return "The steady state to start from is being found; this takes one cycle.";
     case Reason::VESSEL_STALE:
@@ -69,15 +70,19 @@ const char* advice(Reason reason)
     case Reason::REJECTED_INPUT:
       return "A message was refused; the topic and the reason stand below.";
     case Reason::NOT_CONVERGED:
-      return "The solver found no solution: compare the distance of the ends with tether.length; positions may have jumped.";
+      return "The solver found no solution: compare the distance of the ends with tether.length; positions may "
+             "have jumped.";
     case Reason::OUT_OF_RANGE:
-      return "Tension above the breaking load or strain above 10 %: the deployed length, the positions or both are wrong, or the tether is parting.";
+      return "Tension above the breaking load or strain above 10 %: the deployed length, the positions or both "
+             "are wrong, or the tether is parting.";
     case Reason::MESH_COARSE:
       return "A bend is tighter than the elements resolve: tension near it is rough. Raise tether.elements.";
     case Reason::DISAGREEMENT:
-      return "Measured positions, deployed length and what is known of the vehicle contradict each other: look at the innovations below, and check positioning, length and the vehicle's parameters.";
+      return "Measured positions, deployed length and what is known of the vehicle contradict each other: look at "
+             "the innovations below, and check positioning, length and the vehicle's parameters.";
     case Reason::UNCERTAIN:
-      return "The tension is known too roughly (see its standard deviation): positions of the vehicle are missing or poor.";
+      return "The tension is known too roughly (see its standard deviation): positions of the vehicle are missing "
+             "or poor.";
     case Reason::CLOCK_JUMP:
       return "Time ran backwards (a looping bag?) or leapt ahead; the monitor starts anew.";
   }

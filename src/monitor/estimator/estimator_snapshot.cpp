@@ -50,9 +50,8 @@ struct Header
 ModelChanges changesOf(const CableSimulation& simulation)
 {
   const core::EnvironmentModel& sea = simulation.model.environment();
-  return {simulation.model.length(), simulation.mesh,      simulation.mesh_purpose,
-          sea.current().samples(),   sea.obstacles(),      simulation.reported_depth,
-          sea.timeOrigin(),          simulation.origin()};
+  return {simulation.model.length(), simulation.mesh,           simulation.mesh_purpose, sea.current().samples(),
+          sea.obstacles(),           simulation.reported_depth, sea.timeOrigin(),        simulation.origin()};
 }
 
 bool arePossible(const ModelChanges& changes, const Config& config)
@@ -136,11 +135,10 @@ bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherE
   copy.vehicle_->prepare(*model);
   reader(copy);
   const core::CableState& state = copy.simulation_.state;
-  const bool is_sound =
-      reader.finished() && fits(copy.estimate_, *model) && copy.phase_ >= Phase::IDLE &&
-      copy.phase_ <= Phase::RUNNING && copy.vessel_->isValid() && copy.vehicle_->isValid(*model) &&
-      copy.payout_.isValid() &&
-      (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate_.time));
+  const bool is_sound = reader.finished() && fits(copy.estimate_, *model) && copy.phase_ >= Phase::IDLE &&
+                        copy.phase_ <= Phase::RUNNING && copy.vessel_->isValid() &&
+                        copy.vehicle_->isValid(*model) && copy.payout_.isValid() &&
+                        (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate_.time));
   if (!is_sound)
     return false;
 

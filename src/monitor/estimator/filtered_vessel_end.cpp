@@ -30,8 +30,7 @@ MeasuredVector FilteredVesselEnd::attachmentVelocity(const TwistMeasurement& twi
                                                      const Eigen::Quaterniond& orientation) const
 {
   const core::Vector3 lever = orientation.normalized() * body_.attachment;
-  const MeasuredVector velocity =
-      twist.velocity.at(twist.velocity.value() + twist.angular_velocity.cross(lever));
+  const MeasuredVector velocity = twist.velocity.at(twist.velocity.value() + twist.angular_velocity.cross(lever));
   return body_.velocity_stddev ? velocity.withDefaultStddev(*body_.velocity_stddev) : velocity;
 }
 

@@ -179,8 +179,7 @@ bool TetherEstimator::start(double t, const EndTargets& ends)
 {
   phase_ = Phase::STARTING;
   retry_start_at_ = t + START_RETRY;
-  SteadyStart found =
-      findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
+  SteadyStart found = findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
   simulation_.last_solve = found.simulation.last_solve;
   if (!simulation_.last_solve.converged())
     return false;

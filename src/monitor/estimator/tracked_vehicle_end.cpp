@@ -20,9 +20,9 @@ core::SolveReport TrackedVehicleEnd::advance(core::BoundaryConditions& paths, co
                                              CableSimulation& simulation)
 {
   const core::CableState& state = simulation.state;
-  paths.vehicle = core::EndTrajectory::between(
-      state.time, {state.q.back().head<3>(), state.v.back().head<3>()}, t,
-      {targets.vehicle.position - simulation.origin(), targets.vehicle.velocity});
+  paths.vehicle =
+      core::EndTrajectory::between(state.time, {state.q.back().head<3>(), state.v.back().head<3>()}, t,
+                                   {targets.vehicle.position - simulation.origin(), targets.vehicle.velocity});
   return simulation.stepper.advance(simulation.model, paths, t, simulation.state);
 }
 

@@ -19,8 +19,7 @@ void VortexSheddingMonitor::update(CableSimulation& simulation)
   if (state.time < time_ + PERIOD && state.time >= time_)
     return;
   time_ = state.time;
-  last_ =
-      core::findLockIn(simulation.updatedCable(), state, amplification_, state.deployment.drag_factor);
+  last_ = core::findLockIn(simulation.updatedCable(), state, amplification_, state.deployment.drag_factor);
 }
 
 }  // namespace tether_monitor::monitor

@@ -11,7 +11,8 @@ bool MeasuredVector::isValid() const
   {
     if (isMeasured(axis) && !std::isfinite(value_[axis]))
       return false;
-    if (accuracy_[axis] == Accuracy::SPECIFIED && !(covariance_(axis, axis) > 0.0 && covariance_.row(axis).allFinite()))
+    if (accuracy_[axis] == Accuracy::SPECIFIED &&
+        !(covariance_(axis, axis) > 0.0 && covariance_.row(axis).allFinite()))
       return false;
   }
   return isPositiveSemidefinite();

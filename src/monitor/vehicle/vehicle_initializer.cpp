@@ -80,7 +80,8 @@ class MapSearch
   {
     core::SteadyEnds at = ends_;
     const core::Vector3 away = ends_.vehicle - ends_.vessel;
-    at.vehicle = ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length(ends_.deployment) / away.norm()) * away;
+    at.vehicle =
+        ends_.vessel + std::min(1.0, LONGEST_REACH * model_.length(ends_.deployment) / away.norm()) * away;
     core::NodeField shape;
     const core::CableModel held = withoutVehicle(model_);
     const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
@@ -120,8 +121,7 @@ class MapSearch
     best_.shape = shape;
     best_.force = force;
     best_.cost = cost;
-    best_.position_covariance =
-        (position_information_ + K.transpose() * force_information_ * K).inverse();
+    best_.position_covariance = (position_information_ + K.transpose() * force_information_ * K).inverse();
     return true;
   }
 

@@ -24,7 +24,6 @@ constexpr double FORCE_RANDOM_WALK =
 constexpr double DRAG_RANDOM_WALK = 0.003;       // likewise of the drag
 constexpr double INITIAL_VELOCITY_STDDEV = 0.2;  // standard deviation of the vehicle's velocity at the start [m/s]
 constexpr double EXPECTED_COST = 3.0;            // cost of a start that chance explains [-]
-constexpr double MOST_LATE = 33.0;               // [s]
 constexpr double FIRST_WAIT = 5.0;               // [s] for the first three positions
 constexpr double FIRST_DRIFT = 0.3;              // speed by which the vehicle may part from the vessel then [m/s]
 constexpr double FRESH_INTERVALS = 4.0;  // so many usual intervals a position is fresh enough to begin with
@@ -73,8 +72,7 @@ VehicleObserver::VehicleObserver(const Config& config, int nodes)
     initialized_at_(-std::numeric_limits<double>::infinity()),
     steps_(steps_capacity_),
     snapshots_(SNAPSHOTS),
-    newest_(-std::numeric_limits<double>::infinity()),
-    measurement_latency_(config.navigation.latency)
+    timing_(config.navigation.latency)
 {
   body_.attachment = config.vehicle.attachment;
 }
@@ -96,19 +94,8 @@ Rejection VehicleObserver::add(const VehicleMeasurement& fix)
   const Rejection rejection = history_.add(fix, earliestTime());
   while (snapshots_.size() > 1 && snapshots_.front().state.time < history_.droppedUntil())
     snapshots_.popFront();
-  if (rejection == Rejection::NONE && fix.kind == VehicleMeasurement::Kind::POSITION && fix.t > newest_ &&
-      fix.measuresPosition(0))
-  {
-    if (!steps_.empty())
-      measurement_latency_ +=
-          0.2 * (std::clamp(steps_.back().to - fix.t, navigation_.latency, MOST_LATE) - measurement_latency_);
-    if (std::isfinite(newest_))
-    {
-      const double now = std::min(fix.t - newest_, 10.0);
-      measurement_interval_ += (measurement_interval_ > 0.0 ? 0.2 : 1.0) * (now - measurement_interval_);
-    }
-    newest_ = fix.t;
-  }
+  if (rejection == Rejection::NONE && fix.measuresPosition(0))
+    timing_.add(fix.t, steps_.empty() ? std::numeric_limits<double>::quiet_NaN() : steps_.back().to);
   return rejection;
 }
 
@@ -119,17 +106,17 @@ void VehicleObserver::clear()
   steps_.clear();
   snapshots_.clear();
   attitude_.reset();
-  initialized_at_ = newest_ = -std::numeric_limits<double>::infinity();
-  measurement_interval_ = 0.0;
-  measurement_latency_ = navigation_.latency;
+  initialized_at_ = -std::numeric_limits<double>::infinity();
+  timing_.clear();
 }
 
 double VehicleObserver::oldestUsableTime(double t) const
 {
-  return t - navigation_.latency - std::max(invalid_timeout_, FRESH_INTERVALS * measurement_interval_);
+  return t - navigation_.latency - std::max(invalid_timeout_, FRESH_INTERVALS * timing_.interval());
 }
 
-std::optional<MeasuredVector> VehicleObserver::initialPositionEstimate(double t, const core::Vector3& velocity) const
+std::optional<MeasuredVector> VehicleObserver::initialPositionEstimate(double t,
+                                                                       const core::Vector3& velocity) const
 {
   const auto& fixes = history_.fixes();
   core::Vector3 place, stddev = core::Vector3::Zero();
@@ -141,8 +128,7 @@ std::optional<MeasuredVector> VehicleObserver::initialPositionEstimate(double t,
       if (fix->measuresPosition(axis) && (n == 0 || fix->t > oldestUsableTime(t)))
       {
         last[n++] = fix->value.value()[axis] + velocity[axis] * (t - fix->t);
-        stddev[axis] =
-            std::max(stddev[axis], std::hypot(fix->value.stddev(axis), FIRST_DRIFT * (t - fix->t)));
+        stddev[axis] = std::max(stddev[axis], std::hypot(fix->value.stddev(axis), FIRST_DRIFT * (t - fix->t)));
       }
     if (n == 0)
       return std::nullopt;
@@ -231,7 +217,7 @@ void VehicleObserver::begin(const core::CableModel& model, const VehicleInitiali
   disturbance.force_random_walk *= start.force_scale;
   filter_state_.filter.start(disturbance, start.position_covariance, INITIAL_VELOCITY_STDDEV, start.force,
                              start.force_covariance, dragOn(model, state), stiffness);
-  filter_state_.gate.start(state.time, newest_);
+  filter_state_.gate.start(state.time, timing_.newest());
   filter_state_.chord_excess = start.chord_excess;
   filter_state_.relinearize_at = state.time + RELINEARIZATION_INTERVAL;
   history_.discardBefore(state.time);
@@ -265,7 +251,8 @@ void VehicleObserver::processMeasurement(const VehicleMeasurement& fix, const co
   {
     const core::Vector3 end = value + state.vehicle.orientation * body_.attachment;
     updateChordExcess(end - step.paths.vessel.position(fix.t), fix, step, model, state);
-    // What is wrong of the vessel's end is wrong of the vehicle, along the chord: all of it is there along the chord.
+    // What is wrong of the vessel's end is wrong of the vehicle, along the chord: all of it is there along the
+    // chord.
     const core::Vector3 squares = filter_state_.filter.stiffness().chord.cwiseAbs2();
     const double vessel_stddev = filter_state_.filter.stiffness().chord.cwiseProduct(step.vessel_stddev).norm();
     noise.diagonal() += vessel_stddev * vessel_stddev / squares.squaredNorm() * squares;
@@ -281,8 +268,8 @@ void VehicleObserver::updateChordExcess(const core::Vector3& chord, const Vehicl
   const double excess = chord.norm() - std::max(model.length(state.deployment), nominal);
   const double stddev =
       std::sqrt(fix.stddev().cwiseMin(1e6).squaredNorm() / 3.0 + step.vessel_stddev.squaredNorm());
-  filter_state_.chord_excess += STRETCH_SHARE * (std::clamp(excess / stddev, -STRETCH_MOST, STRETCH_MOST) -
-                                                 filter_state_.chord_excess);
+  filter_state_.chord_excess +=
+      STRETCH_SHARE * (std::clamp(excess / stddev, -STRETCH_MOST, STRETCH_MOST) - filter_state_.chord_excess);
 }
 
 core::SolveReport VehicleObserver::advanceOneStep(const StepInput& step, const core::CableModel& model,

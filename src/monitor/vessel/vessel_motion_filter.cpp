@@ -126,8 +126,8 @@ void VesselMotionFilter::makeRoom()
   if (log_.size() < CAPACITY)
     return;
   log_.erase(log_.begin(), log_.begin() + CAPACITY / 2);
-  const auto first = std::find_if(snapshots_.begin(), snapshots_.end(),
-                                  [&](const Snapshot& c) { return c.t >= log_.front().t; });
+  const auto first =
+      std::find_if(snapshots_.begin(), snapshots_.end(), [&](const Snapshot& c) { return c.t >= log_.front().t; });
   snapshots_.erase(snapshots_.begin(), first);
 }
 
@@ -199,8 +199,7 @@ void VesselMotionFilter::run(const Entry& entry)
 
 void VesselMotionFilter::correctVelocity(int i, const Entry& entry)
 {
-  const bool is_good =
-      std::abs(filters_[i].normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
+  const bool is_good = std::abs(filters_[i].normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
   if (is_good)
     filters_[i].correctVelocity(entry.value[i], entry.stddev[i]);
   outliers_ += is_good ? 0 : 1;

@@ -27,8 +27,8 @@ TEST(MeasuredVectorOfAMessage, HasItsWholeCovarianceInTheAxesOfTheWorld)
 TEST(MeasuredVectorOfAMessage, ZeroOfOneAxisLeavesTheOthersAsTheyAre)
 {
   const core::Vector3 variance(0.0, 0.25, -1.0);
-  const monitor::MeasuredVector v =
-      measuredVector(core::Vector3::Ones(), variance.asDiagonal(), Eigen::Isometry3d::Identity(), NOT_MEASURED_STDDEV);
+  const monitor::MeasuredVector v = measuredVector(core::Vector3::Ones(), variance.asDiagonal(),
+                                                   Eigen::Isometry3d::Identity(), NOT_MEASURED_STDDEV);
   EXPECT_EQ(v.accuracy(0), monitor::Accuracy::UNSPECIFIED);
   EXPECT_EQ(v.accuracy(1), monitor::Accuracy::SPECIFIED);
   EXPECT_EQ(v.accuracy(2), monitor::Accuracy::UNSPECIFIED);
@@ -38,8 +38,8 @@ TEST(MeasuredVectorOfAMessage, ZeroOfOneAxisLeavesTheOthersAsTheyAre)
 TEST(MeasuredVectorOfAMessage, AHundredMetresIsNotMeasuredAndLessIs)
 {
   const core::Vector3 variance(1e4, 9999.0, 1e9);
-  const monitor::MeasuredVector v =
-      measuredVector(core::Vector3::Ones(), variance.asDiagonal(), Eigen::Isometry3d::Identity(), NOT_MEASURED_STDDEV);
+  const monitor::MeasuredVector v = measuredVector(core::Vector3::Ones(), variance.asDiagonal(),
+                                                   Eigen::Isometry3d::Identity(), NOT_MEASURED_STDDEV);
   EXPECT_FALSE(v.isMeasured(0));
   EXPECT_TRUE(v.isMeasured(1));
   EXPECT_FALSE(v.isMeasured(2));

@@ -166,7 +166,8 @@ TEST_F(InputAdapterTest, ObstaclesAreCheckedAndTakenToTheWorld)
   pile.shape = Obstacle::CYLINDER;
   pile.friction = NAN;
   EXPECT_TRUE(says(adapter.accept(array, now), "friction"));
-  EXPECT_EQ(estimator.simulation().model.environment().obstacles()[0].friction, 0.0) << "a refused message changes nothing";
+  EXPECT_EQ(estimator.simulation().model.environment().obstacles()[0].friction, 0.0)
+      << "a refused message changes nothing";
 }
 
 TEST_F(InputAdapterTest, ThrustDepthAndTurnsNeedWhatTheyActOn)

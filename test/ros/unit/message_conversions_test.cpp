@@ -57,7 +57,8 @@ TEST(VehicleMessage, CarriesTheWholeCovarianceInItsAxes)
   EXPECT_EQ(block(message.pose.covariance, 0), e.vehicle_position_covariance) << "axes of the world";
   EXPECT_NEAR(message.twist.covariance[0], 0.04, 1e-12) << "axes of the body";
   EXPECT_NEAR(message.twist.covariance[7], 0.01, 1e-12);
-  EXPECT_GE(message.pose.covariance[35], NOT_MEASURED_ANGLE * NOT_MEASURED_ANGLE) << "nothing estimates the attitude";
+  EXPECT_GE(message.pose.covariance[35], NOT_MEASURED_ANGLE * NOT_MEASURED_ANGLE)
+      << "nothing estimates the attitude";
 }
 
 }  // namespace tether_monitor

@@ -10,12 +10,10 @@ namespace tether_monitor::monitor
 void summarize(const core::DeployedCable& cable, TetherEstimate& estimate);
 
 /// Fills what the tether touches, in the world.
-void describeContact(const core::DeployedCable& cable, const core::CableState& state,
-                     TetherEstimate& estimate);
+void describeContact(const core::DeployedCable& cable, const core::CableState& state, TetherEstimate& estimate);
 
 /// Fills the pose and the rates of the body at the vehicle end of a model that has one.
-void describeVehicle(const core::DeployedCable& cable, const core::CableState& state,
-                     TetherEstimate& estimate);
+void describeVehicle(const core::DeployedCable& cable, const core::CableState& state, TetherEstimate& estimate);
 
 /// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load, 10 % strain or where pressure
 /// takes more than half of the diameter, MESH_COARSE where the tether turns by more than 1.2 rad within one

@@ -28,7 +28,8 @@ enum class Reason
   UNCERTAIN
 };
 
-/// The word of the message constant, without its prefix: "DEGRADED", "VESSEL_STALE"; "UNKNOWN" for any other number.
+/// The word of the message constant, without its prefix: "DEGRADED", "VESSEL_STALE"; "UNKNOWN" for any other
+/// number.
 const char* describe(Status status);
 const char* describe(Reason reason);
 

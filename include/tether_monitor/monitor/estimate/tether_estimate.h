@@ -7,7 +7,6 @@
 #include "tether_monitor/monitor/estimate/status.h"
 #include "tether_monitor/monitor/measurements/body_state.h"
 
-
 namespace tether_monitor::monitor
 {
 /// What the monitor publishes of the tether at one time. While INVALID the stations are empty and the numbers NaN.
@@ -21,21 +20,21 @@ struct TetherEstimate
   core::StationProfile stations;  ///< positions in the world frame; see has_stations.
   bool has_stations = false;      ///< false while INVALID.
 
-  double length = NONE;                 ///< unstretched, deployed [m].
-  double payout_rate = NONE;            ///< [m/s]; NaN when it is not reported.
-  double max_tension = NONE;            ///< [N]
-  double max_tension_s = NONE;          ///< [m]
-  double min_tension = NONE;            ///< [N]
-  double min_tension_s = NONE;          ///< [m]
-  double vessel_tension = NONE;         ///< size of the force on the vessel end [N].
-  double vehicle_tension = NONE;        ///< size of the force on the vehicle end [N].
-  double working_utilisation = NONE;    ///< largest tension over the working load of its section [-].
-  double working_utilisation_s = NONE;  ///< where [m].
-  double breaking_utilisation = NONE;   ///< largest tension over the breaking load of its section [-].
-  double min_bend_radius = NONE;        ///< [m]
-  double min_bend_radius_s = NONE;      ///< [m]
-  double governing_bend_radius = NONE;  ///< least bend radius for the alarm [m]: where a section has a limit of
-                                        ///< its own, scaled to the limit of the whole tether.
+  double length = NONE;                   ///< unstretched, deployed [m].
+  double payout_rate = NONE;              ///< [m/s]; NaN when it is not reported.
+  double max_tension = NONE;              ///< [N]
+  double max_tension_s = NONE;            ///< [m]
+  double min_tension = NONE;              ///< [N]
+  double min_tension_s = NONE;            ///< [m]
+  double vessel_tension = NONE;           ///< size of the force on the vessel end [N].
+  double vehicle_tension = NONE;          ///< size of the force on the vehicle end [N].
+  double working_utilisation = NONE;      ///< largest tension over the working load of its section [-].
+  double working_utilisation_s = NONE;    ///< where [m].
+  double breaking_utilisation = NONE;     ///< largest tension over the breaking load of its section [-].
+  double min_bend_radius = NONE;          ///< [m]
+  double min_bend_radius_s = NONE;        ///< [m]
+  double governing_bend_radius = NONE;    ///< least bend radius for the alarm [m]: where a section has a limit of
+                                          ///< its own, scaled to the limit of the whole tether.
   double governing_bend_radius_s = NONE;  ///< where [m].
   double vessel_end_angle = NONE;         ///< of the tether below the horizontal at the vessel end [rad].
   double vehicle_end_angle = NONE;        ///< the same at the vehicle end [rad].
@@ -49,10 +48,10 @@ struct TetherEstimate
   double vehicle_position_stddev = NONE;  ///< root mean square over the axes [m].
   core::Matrix3 vehicle_position_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2].
   core::Matrix3 vehicle_velocity_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2/s^2].
-  core::Vector3 disturbance = core::Vector3::Constant(NONE);  ///< estimated disturbance force [N].
-  double disturbance_stddev = NONE;                           ///< root mean square over the axes [N].
-  double vessel_age = NONE;                                   ///< age of the last vessel pose [s].
-  double vehicle_age = NONE;  ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
+  core::Vector3 disturbance = core::Vector3::Constant(NONE);                  ///< estimated disturbance force [N].
+  double disturbance_stddev = NONE;  ///< root mean square over the axes [N].
+  double vessel_age = NONE;          ///< age of the last vessel pose [s].
+  double vehicle_age = NONE;         ///< age of the last vehicle pose, of the last thrust if it is simulated [s].
   double vehicle_overdue =
       NONE;  ///< the same, less what is usual in mode observed: how long something has been due [s].
   double payout_age = NONE;  ///< age of the last report of the winch [s]; NaN if nothing reports.
@@ -64,9 +63,9 @@ struct TetherEstimate
       min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
       breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius, governing_bend_radius_s,
       vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle,
-      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_position_covariance, vehicle_velocity_covariance,
-      disturbance,
-      disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue, payout_age);
+      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_position_covariance,
+      vehicle_velocity_covariance, disturbance, disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue,
+      payout_age);
   }
 };
 

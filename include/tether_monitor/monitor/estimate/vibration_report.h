@@ -11,9 +11,9 @@ namespace tether_monitor::monitor
 /// Natural frequencies of the tether as it hangs now, beside what excites it.
 struct VibrationReport
 {
-  std::vector<core::Mode> modes;       ///< the lowest, without shapes.
-  double encounter_frequency = 0.0;    ///< of the configured waves as the vessel meets them [Hz]; 0: no waves.
-  std::optional<core::Mode> resonant;  ///< the mode nearest to it, if it is within 15 %.
+  std::vector<core::Mode> modes;         ///< the lowest, without shapes.
+  double encounter_frequency = 0.0;      ///< of the configured waves as the vessel meets them [Hz]; 0: no waves.
+  std::optional<core::Mode> resonant;    ///< the mode nearest to it, if it is within 15 %.
   core::VortexShedding vortex_shedding;  ///< against the natural frequencies.
 };
 

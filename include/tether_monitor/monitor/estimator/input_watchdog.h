@@ -20,8 +20,8 @@ class InputWatchdog
   void noteRejectedInput(double t) { rejected_at_ = t; }
   void clear() { rejected_at_ = -std::numeric_limits<double>::infinity(); }
 
-  /// What makes an estimate with these ages impossible; NONE if nothing does. @param coasting  the vehicle's may be
-  /// late.
+  /// What makes an estimate with these ages impossible; NONE if nothing does. @param coasting  the vehicle's may
+  /// be late.
   Reason invalidReason(const TetherEstimate& ages, bool coasting) const;
   /// What makes it doubtful because an input is late.
   Reason lateReason(const TetherEstimate& ages, bool coasting) const;

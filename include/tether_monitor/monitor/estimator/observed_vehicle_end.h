@@ -18,7 +18,10 @@ class ObservedVehicleEnd final : public VehicleEnd
   bool acceptsLateMeasurements() const override { return true; }
   void clear() override;
   bool isReady(double t) const override { return observer_.isReady(t); }
-  double age(double t, bool running) const override { return running ? observer_.age(t) : observer_.measuredAge(t); }
+  double age(double t, bool running) const override
+  {
+    return running ? observer_.age(t) : observer_.measuredAge(t);
+  }
   double overdue(double age) const override;
   bool canCoast() const override { return true; }
   void aim(double t, EndTargets& targets) override { targets.vehicle_age = observer_.age(t); }

@@ -14,8 +14,8 @@ class TrackedBody
   /// @param longest_interval  of poses over which a correction is spread [s].
   TrackedBody(const BodyConfig& body, double longest_interval);
 
-  /// Accepts what one message measured, all of it or nothing: a position must be complete; a velocity that is not is
-  /// left out. @param pose,twist  null: none.
+  /// Accepts what one message measured, all of it or nothing: a position must be complete; a velocity that is not
+  /// is left out. @param pose,twist  null: none.
   Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist);
   void clear();
   /// The end of the tether at time t [s], continuous from call to call. Calls in order of t.

@@ -44,8 +44,8 @@ struct Correction
  * Bumpless correction of an extrapolated motion: spreads what a new measurement corrects over the interval of the
  * measurements.
  *
- * When measurements come more slowly than ticks, each new one corrects an extrapolation. Made up within one tick, a
- * correction of centimetres would be a shock to a taut tether. This keeps the motion continuous: the correction
+ * When measurements come more slowly than ticks, each new one corrects an extrapolation. Made up within one tick,
+ * a correction of centimetres would be a shock to a taut tether. This keeps the motion continuous: the correction
  * becomes an offset that fades with the time between measurements. V is double (a length) or Vector3 (a place).
  */
 template <class V>
@@ -71,8 +71,8 @@ class CorrectionBlender
    * @param t              [s], increasing from call to call; else reset() first.
    * @param now            what the measurements say.
    * @param measured_at    time of the measurement that this rests on [s].
-   * @param interval       time from the measurement before to this one [s]; not longer than the last call is ago: no
-   *                       offset.
+   * @param interval       time from the measurement before to this one [s]; not longer than the last call is ago:
+   * no offset.
    */
   Motion blend(double t, const Motion& now, double measured_at, double interval);
   void reset() { started_ = false; }
@@ -84,7 +84,7 @@ class CorrectionBlender
   }
 
  private:
-  static constexpr double BANDWIDTH = 2.5;     // times the interval of the measurements [-]
+  static constexpr double BANDWIDTH = 2.5;       // times the interval of the measurements [-]
   static constexpr double SHORT_INTERVAL = 1.5;  // times dt: nothing to blend [-]
 
   bool started_ = false;

@@ -30,7 +30,8 @@ class MeasuredVector
     accuracy_.fill(Accuracy::UNSPECIFIED);
   }
   /// All components. @param covariance  symmetric, positive definite.
-  MeasuredVector(const core::Vector3& value, const core::Matrix3& covariance) : value_(value), covariance_(covariance)
+  MeasuredVector(const core::Vector3& value, const core::Matrix3& covariance)
+    : value_(value), covariance_(covariance)
   {
     accuracy_.fill(Accuracy::SPECIFIED);
   }

@@ -10,10 +10,10 @@ namespace tether_monitor::monitor
 /// A measured pose of a body's reference point.
 struct PoseMeasurement
 {
-  double t = 0.0;           ///< its stamp [s].
-  MeasuredVector position;  ///< world frame [m].
-  std::optional<Eigen::Quaterniond> orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit; none: not
-                                                                                   ///< measured.
+  double t = 0.0;                                                                  ///< its stamp [s].
+  MeasuredVector position;                                                         ///< world frame [m].
+  std::optional<Eigen::Quaterniond> orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit; none:
+                                                                                   ///< not measured.
 };
 
 /// Measured rates of a body's reference point, world axes.

@@ -63,7 +63,8 @@ class VehicleErrorStateFilter
    */
   void predict(double dt, const core::Vector3& drag, double processNoiseScale);
 
-  /// Normalised innovation squared of a position. @param offset  from the nominal one [m]. @param noise  covariance.
+  /// Normalised innovation squared of a position. @param offset  from the nominal one [m]. @param noise
+  /// covariance.
   double normalizedInnovationSquared(const core::Vector3& offset, const core::Matrix3& noise) const;
   void correctPosition(const core::Vector3& offset, const core::Matrix3& noise);
   /// The same for a measured velocity.

@@ -11,11 +11,12 @@ struct VehicleInitialization
   core::NodeField shape;
   core::Vector3 force = core::Vector3::Zero();                    ///< [N], world axes.
   core::Matrix3 position_covariance = core::Matrix3::Identity();  ///< covariance of the position [m^2].
-  core::Matrix3 force_covariance = core::Matrix3::Zero();  ///< of what the uncertain velocity makes of the force [N^2].
-  double force_scale = 1.0;                                ///< of the usual disturbance that it takes [-], >= 1.
-  double chord_excess = 0.0;                               ///< 1 if the measured ends are farther apart than the
-                                                           ///< tether is long, else 0.
-  double cost = 0.0;  ///< what is minimised [-]; three is what chance would give.
+  core::Matrix3 force_covariance =
+      core::Matrix3::Zero();  ///< of what the uncertain velocity makes of the force [N^2].
+  double force_scale = 1.0;   ///< of the usual disturbance that it takes [-], >= 1.
+  double chord_excess = 0.0;  ///< 1 if the measured ends are farther apart than the
+                              ///< tether is long, else 0.
+  double cost = 0.0;          ///< what is minimised [-]; three is what chance would give.
 };
 
 /// What a start is looked for from.

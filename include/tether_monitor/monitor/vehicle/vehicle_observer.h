@@ -9,6 +9,7 @@
 #include "tether_monitor/monitor/measurements/measurement_history.h"
 #include "tether_monitor/monitor/measurements/ring_buffer.h"
 #include "tether_monitor/monitor/vehicle/innovation_gate.h"
+#include "tether_monitor/monitor/vehicle/measurement_timing.h"
 #include "tether_monitor/monitor/vehicle/vehicle_initializer.h"
 
 namespace tether_monitor::monitor
@@ -39,7 +40,7 @@ class VehicleObserver
   /// the covariance; none without measurements.
   std::optional<MeasuredVector> initialPositionEstimate(double t, const core::Vector3& velocity) const;
   /// True if any position has been measured.
-  bool hasPosition() const { return newest_ > -std::numeric_limits<double>::infinity(); }
+  bool hasPosition() const { return timing_.newest() > -std::numeric_limits<double>::infinity(); }
   /// True if there are measurements enough to begin at time t [s].
   bool isReady(double t) const;
 
@@ -88,10 +89,9 @@ class VehicleObserver
   /// Age at time t [s] of the last position that was believed; after begin().
   double age(double t) const { return t - filter_state_.gate.lastAccepted(); }
   /// Age at time t [s] of the last position that was measured; infinite before the first.
-  double measuredAge(double t) const { return t - newest_; }
-  /// Time for which measurements that were due have not come [s], when the last is `age` old: less latency and two
-  /// of their usual intervals.
-  double overdueTime(double age) const { return age - measurement_latency_ - 2.0 * measurement_interval_; }
+  double measuredAge(double t) const { return t - timing_.newest(); }
+  /// See MeasurementTiming.
+  double overdueTime(double age) const { return timing_.overdueTime(age); }
   /// True while positions, tether and vehicle contradict each other.
   bool isInconsistent(double t) const;
   /// True while the measured ends are farther apart than the tether is long.
@@ -106,8 +106,7 @@ class VehicleObserver
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(history_, filter_state_, attitude_, origin_, initialized_at_, replayed_, steps_, snapshots_, newest_,
-      measurement_interval_, measurement_latency_);
+    a(history_, filter_state_, attitude_, origin_, initialized_at_, replayed_, steps_, snapshots_, timing_);
   }
 
  private:
@@ -156,8 +155,8 @@ class VehicleObserver
     }
   };
 
-  core::SolveReport advanceOneStep(const StepInput& step, const core::CableModel& model, core::AdaptiveStepper& stepper,
-                                   core::CableState& state);
+  core::SolveReport advanceOneStep(const StepInput& step, const core::CableModel& model,
+                                   core::AdaptiveStepper& stepper, core::CableState& state);
   core::SolveReport rewindAndReplay(double from, const core::CableModel& model, core::AdaptiveStepper& stepper,
                                     core::CableState& state);
   void save(const core::CableState& state);
@@ -185,8 +184,7 @@ class VehicleObserver
   long replayed_ = 0;
   RingBuffer<StepInput> steps_;
   RingBuffer<StateSnapshot> snapshots_;
-  double newest_, measurement_interval_ = 0.0;  // position in the log: time, usual interval
-  double measurement_latency_;                  // usual [s]
+  MeasurementTiming timing_;
 };
 
 }  // namespace tether_monitor::monitor

@@ -135,7 +135,7 @@ class VesselMotionFilter
   std::array<int, 3> consecutive_outliers_{};
   Filters last_output_;                                          // at the last blend()
   double last_output_time_ = 0.0;                                // time of it
-  Correction<core::Vector3> correction_;                                 // of what was shown from what is known
+  Correction<core::Vector3> correction_;                         // of what was shown from what is known
   core::EndMotion ramp_track_;                                   // of the track that it began to blend
   core::Vector3 track_velocity_stddev_ = core::Vector3::Zero();  // of its velocity
   double blending_since_;
