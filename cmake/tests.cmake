@@ -1,5 +1,7 @@
 # Tests that need no ROS: one executable a file, named after its path and labelled by its folder (ctest -L core).
-find_package(GTest CONFIG REQUIRED)
+if(NOT TARGET GTest::gtest_main)  # catkin may have found it
+  find_package(GTest CONFIG REQUIRED)
+endif()
 
 set(test_files
   test/core/analysis/dynamic_stiffness_test.cpp
