@@ -150,7 +150,7 @@ void simulatedSecond(benchmark::State& run)
   run.counters["times_real_time"] = benchmark::Counter(1.0, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-// A copy and its way back: what look-ahead and late measurements cost beside the stepping.
+// A copy and its restoration: what look-ahead and late measurements cost beside the stepping.
 void saveAndRestore(benchmark::State& run)
 {
   Setting s(static_cast<int>(run.range(0)), kernelOf(run));

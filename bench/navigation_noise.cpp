@@ -63,7 +63,7 @@ struct Sum
 };
 
 // Of the wrong vehicle: in D and G a force from ahead and aside; in C the thousand newtons that it has are not
-// told.
+// reported.
 core::Vector3 untoldForce(const std::string& name)
 {
   const double size = name == "G" ? 100.0 : name == "D" ? 1000.0 : 0.0;

@@ -120,7 +120,7 @@ void compareWithImplicit(const Case& part, const Record& reference, json& runs)
 json explicitRuns(const Case& c, const Record& reference)
 {
   // The explicit scheme takes the steps that its limit allows, however long the bench's are; a part of the run
-  // tells what the whole would cost.
+  // shows what the whole would cost.
   json runs = json::array();
   Case part = c;
   part.duration = std::min(c.duration, c.count_from + 20.0);

@@ -98,12 +98,12 @@ std::vector<Case> navigationCases()
   return some;
 }
 
-Truth makeTruth(const Case& c, double duration, const Vector3& untold)
+Truth makeTruth(const Case& c, double duration, const Vector3& unmodelled)
 {
   Truth truth;
   truth.of = c;
   core::RigidBody body = *c.bodies.vehicle;
-  body.force += untold;
+  body.force += unmodelled;
   core::CableModel model(c.tether, TRUE_ELEMENTS, c.sea);
   core::SteadyEnds start = c.start;
   core::SteadyStateSolver statics(model.nodes());

@@ -26,8 +26,8 @@ struct Truth
 /// drifts and heaves.
 std::vector<Case> navigationCases();
 
-/// Moves a case for `duration` [s] (0: its own), with a force on the vehicle that nobody will be told [N].
-Truth makeTruth(const Case& c, double duration, const core::Vector3& untold);
+/// Moves a case for `duration` [s] (0: its own), with an unmodelled force on the vehicle [N].
+Truth makeTruth(const Case& c, double duration, const core::Vector3& unmodelled);
 
 /// How positions are measured and what goes wrong with them.
 struct Sensors
@@ -43,7 +43,7 @@ struct Sensors
   std::function<bool(double, core::Vector3&)> fault;
 };
 
-/// What the estimator is told of the vehicle.
+/// What the estimator knows of the vehicle.
 struct Knowledge
 {
   double drag_factor = 1.0;    ///< on the true drag areas.

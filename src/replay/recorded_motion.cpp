@@ -12,7 +12,7 @@ namespace tether_monitor::replay
 {
 namespace
 {
-/// Takes columns out of a table by name and knows in the end which nobody wanted.
+/// Accepts columns out of a table by name and knows in the end which are left over.
 class Columns
 {
  public:

@@ -186,7 +186,7 @@ void SimulatorNode::publishBody(const simulation::Measurement& m, const ros::Pub
   pose.publish(p);
 }
 
-// The position with its covariance; what is not measured has a variance that nobody could use.
+// The position with its covariance; what is not measured has a variance that says so.
 void SimulatorNode::publishOdometry(const simulation::Measurement& m)
 {
   nav_msgs::Odometry message;

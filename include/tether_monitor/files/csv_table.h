@@ -20,7 +20,7 @@ struct CsvTable
   std::optional<std::size_t> find(const std::string& column) const;
 };
 
-/// Whether the fields of a column, told by its name, may be empty.
+/// Whether the fields of a column, known by its name, may be empty.
 using MayBeEmpty = std::function<bool(const std::string&)>;
 
 /**

@@ -26,8 +26,8 @@ class ParameterError : public std::runtime_error
 /**
  * Strict reader of one level of a parameter tree.
  *
- * Every key has to be asked for: finish() reports those that nobody wanted. Errors are collected, with the path of
- * the key, in the list that all readers of a tree share. A number written as a string ("1e6") is a number.
+ * Every key has to be asked for: finish() reports those that were not asked for. Errors are collected, with the
+ * path of the key, in the list that all readers of a tree share. A number written as a string ("1e6") is a number.
  */
 class ParameterReader
 {

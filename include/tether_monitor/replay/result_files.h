@@ -9,7 +9,7 @@
 
 namespace tether_monitor::replay
 {
-/// What ends.csv tells of the vehicle.
+/// What ends.csv says of the vehicle.
 enum class VehicleColumns
 {
   NONE,

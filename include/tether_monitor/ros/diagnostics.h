@@ -23,7 +23,7 @@ struct DiagnosticInputs
   std::map<std::string, RefusalCount> refusals;  ///< by topic.
   double worst_step_time = 0.0;                  ///< [s] since the start.
   long ticks = 0;
-  monitor::VibrationReport vibration;  ///< of the last look.
+  monitor::VibrationReport vibration;  ///< of the last update.
 };
 
 /// Fills a status with level, summary, numbers, likely cause and advice.

@@ -9,7 +9,7 @@
 
 namespace tether_monitor::simulation
 {
-/// A place to go to and the speed on the way there.
+/// A place to go to and the speed until there.
 struct Waypoint
 {
   core::Vector3 position = core::Vector3::Zero();  ///< [m]; of a vessel, x and y count.
@@ -87,9 +87,9 @@ struct SimulationConfig
   std::vector<WinchCommand> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
   SensorModel vessel_sensor, vehicle_sensor;
-  HeavePlan heave;                 ///< with it, the vessel's measurements are told as odometry with covariance.
-  double payout_rate = 10.0;       ///< reports of the winch per second [Hz]; 0: none.
-  double payout_stddev = 0.0;      ///< [m], >= 0.
+  HeavePlan heave;             ///< with it, the vessel's measurements are published as odometry with covariance.
+  double payout_rate = 10.0;   ///< reports of the winch per second [Hz]; 0: none.
+  double payout_stddev = 0.0;  ///< [m], >= 0.
   bool publish_obstacles = false;  ///< tell the monitor of the obstacles live.
   unsigned seed = 1;
   bool clock = false;  ///< the simulation owns the clock.

@@ -9,8 +9,8 @@ namespace tether_monitor::core
 {
 namespace
 {
-// Outside: the way to the nearest point of a convex core; the normal turns as on a sphere about that point, but
-// only in the directions that leave the point (free).
+// Outside: the direction to the nearest point of a convex core; the normal turns as on a sphere about that point,
+// but only in the directions that leave the point (free).
 SignedDistance fromNearest(const Vector3& p, const Vector3& nearest, const Vector3& free)
 {
   const Vector3 way = p - nearest;

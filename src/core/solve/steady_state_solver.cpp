@@ -94,7 +94,7 @@ SteadyStateSolver::Search::Search(const CableModel& model, const SteadyEnds& end
 {
 }
 
-// Where the tether would hang without obstacles tells on which side of them it lies.
+// Where the tether would hang without obstacles shows on which side of them it lies.
 NodeField SteadyStateSolver::firstGuess(const DeployedCable& cable, const SteadyEnds& ends)
 {
   if (!cable.environment().obstacles().empty())

@@ -152,7 +152,7 @@ Reason ObservedVehicleEnd::invalidReason(const TetherEstimate& e, const EndTarge
   if (observer_.overdueTime(observer_.age(e.time)) > invalid_timeout_)
     return Reason::VEHICLE_STALE;
   const double stddev = largestTensionStddev(e) / working_load_;
-  // The waves are still to come, and nobody needs an alarm for what is missing of them.
+  // The waves are still to come, and no alarm is wanted for what is missing of them.
   if (targets.is_vessel_ramping_up && stddev > navigation_.degraded_stddev)
     return Reason::SETTLING;
   return stddev <= navigation_.invalid_stddev ? Reason::NONE : Reason::UNCERTAIN;

@@ -16,7 +16,7 @@ std::vector<std::string> problems(const std::vector<core::Obstacle>& obstacles)
   return all;
 }
 
-// Whether the tether can keep its grip on them.
+// Whether the tether can keep its friction on them.
 bool areSameThings(const std::vector<core::Obstacle>& a, const std::vector<core::Obstacle>& b)
 {
   const auto is_same = [](const core::Obstacle& x, const core::Obstacle& y)
@@ -36,10 +36,10 @@ std::vector<std::string> ObstacleTracker::set(double t, const std::vector<core::
   if (running)
     for (core::Obstacle& obstacle : now)
       obstacle.position += (state.time - t) * obstacle.velocity;
-  const bool keeps_grip = running && areSameThings(now, simulation.model.environment().obstacles());
+  const bool keeps_friction = running && areSameThings(now, simulation.model.environment().obstacles());
   simulation.model = simulation.model.withEnvironment(simulation.model.environment().withObstacles(now));
   time_ = running ? state.time : t;
-  if (keeps_grip)
+  if (keeps_friction)
   {
     for (std::size_t k = 0; k < now.size(); ++k)
     {

@@ -149,7 +149,7 @@ const TetherEstimate& TetherEstimator::tick(double t)
   const double longest_gap = std::max(config_.invalid_timeout, 3.0 / config_.rate);
   if (phase_ != Phase::IDLE && (since_last < 0.0 || since_last > longest_gap))
   {
-    // Backwards, a new run of the clock has begun and the measurements belong to the old one.
+    // Backwards, the clock has started again and the measurements belong to the old one.
     if (since_last < 0.0)
       reset();
     phase_ = Phase::WAITING;

@@ -8,7 +8,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double COVARIANCE_PROPAGATION_INTERVAL = 0.25;  // [s] between looks at the covariance
+constexpr double COVARIANCE_PROPAGATION_INTERVAL = 0.25;  // [s] between propagations of the covariance
 constexpr double UNBALANCED_RELATIVE_STDDEV =
     0.2;  // disturbance at the start that is not balanced, over its standard deviation [-]
 constexpr double INITIAL_FORCE_RELATIVE_STDDEV =

@@ -9,7 +9,7 @@ namespace
 {
 constexpr double CHI2_3DOF_0999 = 16.3;  // squared distance that a good position exceeds once in a thousand
 constexpr int REACQUISITION_COUNT = 5;   // refused positions that agree, after a gap or at the beginning
-constexpr int RESET_COUNT = 30;          // the same against positions that were believed just before
+constexpr int RESET_COUNT = 30;          // the same against positions that were accepted just before
 constexpr double GAP = 5.0;  // [s] without a measurement after which the prediction is none to insist on
 constexpr double REACQUISITION_WINDOW =
     20.0;  // [s] after the start or a gap in which positions need not be defended

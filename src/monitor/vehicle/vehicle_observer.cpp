@@ -14,11 +14,10 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr std::size_t LEAST_STEPS = 128, MOST_STEPS = 8192;
-constexpr double LONGEST_STEP = 0.1;              // [s] between looks at measurements
-constexpr double RELINEARIZATION_INTERVAL = 5.0;  // [s] between looks at the tether's stiffness
+constexpr double LONGEST_STEP = 0.1;              // [s] between corrections
+constexpr double RELINEARIZATION_INTERVAL = 5.0;  // [s] between linearisations of the tether
 constexpr double ATTITUDE_RATE = 1.0;             // [rad/s] with which the vehicle turns to its measured attitude
-constexpr double DEFAULT_DISTURBANCE_ACCELERATION =
-    0.16;  // disturbance that nobody told of, over the mass [m/s^2]
+constexpr double DEFAULT_DISTURBANCE_ACCELERATION = 0.16;  // unmodelled disturbance, over the mass [m/s^2]
 constexpr double FORCE_RANDOM_WALK =
     0.003;  // of the disturbance in a second, over its standard deviation [1/sqrt(s)]
 constexpr double DRAG_RANDOM_WALK = 0.003;       // likewise of the drag

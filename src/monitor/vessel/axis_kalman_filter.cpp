@@ -112,7 +112,7 @@ void AxisKalmanFilter::adaptWaveModel(double dt)
   since_start_ += dt;
   if (since_start_ < LEARNING_START)
   {
-    // The speed of the way has to be found first.
+    // The speed of the track has to be found first.
     velocity_mean_ += (dt / since_start_) * (velocity - velocity_mean_);
     return;
   }

@@ -196,21 +196,21 @@ TEST(VehicleErrorStateFilter, StaysSoundForHours)
 namespace
 {
 // Judges a fix `offset` off at time t.
-void judge(InnovationGate& judge, VehicleErrorStateFilter& filter, double t, const Vector3& offset)
+void gate(InnovationGate& gate, VehicleErrorStateFilter& filter, double t, const Vector3& offset)
 {
-  filter.predict(1.0, Vector3::Zero(), judge.processNoiseScale());
+  filter.predict(1.0, Vector3::Zero(), gate.processNoiseScale());
   const VehicleMeasurement fix{t, VehicleMeasurement::Kind::POSITION,
                                MeasuredVector::withStddev(Vector3::Zero(), Vector3::Constant(0.3))};
-  judge.evaluate(fix, offset, fix.noise(), filter);
+  gate.evaluate(fix, offset, fix.noise(), filter);
 }
 
-// A judge that has believed a minute of good positions.
+// A gate that has believed a minute of good positions.
 InnovationGate trusting(VehicleErrorStateFilter& filter)
 {
   InnovationGate j;
   j.start(0.0, 0.0);
   for (int t = 1; t <= 60; ++t)
-    judge(j, filter, t, Vector3::Zero());
+    gate(j, filter, t, Vector3::Zero());
   return j;
 }
 }  // namespace
@@ -224,9 +224,8 @@ TEST(InnovationGate, RefusesOutliersAndNotWhatIsGood)
   std::normal_distribution<double> normal(0.0, 0.3);
   int t = 1;
   for (; t <= 200; ++t)
-    judge(
-        j, filter, t,
-        t % 20 == 0 ? Vector3(8.0, -5.0, 3.0) : Vector3(normal(generator), normal(generator), normal(generator)));
+    gate(j, filter, t,
+         t % 20 == 0 ? Vector3(8.0, -5.0, 3.0) : Vector3(normal(generator), normal(generator), normal(generator)));
   EXPECT_NEAR(j.report().refused, 10, 2);
   EXPECT_EQ(j.report().accepted + j.report().refused, 200);
   EXPECT_EQ(j.report().reacquired, 0);
@@ -242,14 +241,14 @@ TEST(InnovationGate, GivesWayAfterAGapAndStaysInQuestionOtherwise)
   InnovationGate other = j;
 
   for (int t = 160; t < 165; ++t)
-    judge(j, filter, t, Vector3(0.0, 40.0, 0.0));
+    gate(j, filter, t, Vector3(0.0, 40.0, 0.0));
   EXPECT_EQ(j.report().reacquired, 1) << "after a gap";
   EXPECT_NEAR(filter.positionError().y(), 40.0, 3.0);
 
   int t = 61;
   for (; other.report().reacquired == 0 && t < 200; ++t)
   {
-    judge(other, other_filter, t, Vector3(0.0, 40.0, 0.0));
+    gate(other, other_filter, t, Vector3(0.0, 40.0, 0.0));
     if (t > 63)
     {
       ASSERT_TRUE(other.isInconsistent(t));
@@ -257,7 +256,7 @@ TEST(InnovationGate, GivesWayAfterAGapAndStaysInQuestionOtherwise)
   }
   EXPECT_GT(t - 61, 25) << "against positions that were good a moment ago";
   for (int k = 0; k < 60; ++k)
-    judge(other, other_filter, t + k, Vector3(0.0, 40.0, 0.0) + Vector3::Constant(0.1 * (k % 2)));
+    gate(other, other_filter, t + k, Vector3(0.0, 40.0, 0.0) + Vector3::Constant(0.1 * (k % 2)));
   EXPECT_TRUE(other.isInconsistent(t + 60.0));
 }
 
@@ -266,7 +265,7 @@ TEST(InnovationGate, JumpsAreNeverFollowed)
   VehicleErrorStateFilter filter = started();
   InnovationGate j = trusting(filter);
   for (int t = 61; t < 400; ++t)
-    judge(j, filter, t, 50.0 * Vector3(std::sin(t / 5), std::cos(2 * (t / 5)), 0.0));
+    gate(j, filter, t, 50.0 * Vector3(std::sin(t / 5), std::cos(2 * (t / 5)), 0.0));
   EXPECT_EQ(j.report().reacquired, 0);
 }
 
@@ -276,7 +275,7 @@ TEST(InnovationGate, ADriftToOneSideMakesItRestless)
   InnovationGate j;
   j.start(0.0, 0.0);
   for (int t = 1; t <= 30; ++t)
-    judge(j, filter, t, Vector3(0.0, 0.0, 0.25 * t));
+    gate(j, filter, t, Vector3(0.0, 0.0, 0.25 * t));
   EXPECT_GT(j.processNoiseScale(), 1.0);
 }
 }  // namespace tether_monitor::monitor

@@ -96,9 +96,9 @@ TEST(VesselMotionFilter, SmoothsWavesOfAnyUsualPeriod)
 
 TEST(VesselMotionFilter, FindsOutHowMuchPositionsScatter)
 {
-  Passage told(8.0), untold(8.0);
+  Passage told(8.0), unspecified(8.0);
   VesselMotionFilter a, b;
-  const double known = sail(told, 0.02, a).place, found = sail(untold, std::nan(""), b).place;
+  const double known = sail(told, 0.02, a).place, found = sail(unspecified, std::nan(""), b).place;
   EXPECT_LT(found, 1.5 * known);
 }
 

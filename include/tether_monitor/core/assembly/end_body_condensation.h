@@ -33,7 +33,7 @@ class CondensedBody
    */
   double assemble(const EndBodyLoad& load, const EnvironmentModel& environment, const CableState& state,
                   const TangentWeights& weights, NodeCoords& node, NodeBlock diagonal);
-  /// Takes what the rotation adds to the node's right-hand side off it; after the size of the residual is known.
+  /// Accepts what the rotation adds to the node's right-hand side off it; after the size of the residual is known.
   void condense(NodeCoords& node) const { node.head<3>() -= residual_.force_r * moment_; }
   /// Solution of the rotation when that of the node is `delta`.
   Vector3 solve(const NodeCoords& delta) const { return moment_ - coupling_ * delta.head<3>(); }

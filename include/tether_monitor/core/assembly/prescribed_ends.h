@@ -26,7 +26,7 @@ struct ResidualSize
   double tolerance;  ///< [N]
 };
 
-/// Takes the position rows of held end nodes out of a residual (their value is the reaction) and measures the
+/// Accepts the position rows of held end nodes out of a residual (their value is the reaction) and measures the
 /// rest. `residual` becomes the negative right-hand side for the free rows: held rows are set to zero.
 /// @param reaction  other forces that tell what is small [N].
 ResidualSize imposePrescribedEnds(const DeployedCable& cable, const NodeField& q, const NewtonOptions& options,

@@ -194,7 +194,7 @@ inline void appendChecksum(std::vector<std::uint8_t>& bytes)
     bytes.push_back(static_cast<std::uint8_t>(sum >> (8 * i)));
 }
 
-/// Takes the checksum off. @return false, and the bytes are unusable, if it is not theirs.
+/// Accepts the checksum off. @return false, and the bytes are unusable, if it is not theirs.
 inline bool verifyChecksum(std::vector<std::uint8_t>& bytes)
 {
   if (bytes.size() < 8)

@@ -11,7 +11,7 @@ enum class FrictionMode
 {
   COULOMB,  ///< springs that slip at Coulomb's limit.
   SLIP,     ///< steady motion: against the velocity, at the limit.
-  STICK     ///< springs that never slip, on the way to a steady state.
+  STICK     ///< springs that never slip, while a steady state is looked for.
 };
 
 /**

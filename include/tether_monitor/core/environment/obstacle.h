@@ -16,7 +16,7 @@ enum class ObstacleShape
   BOX = 2
 };
 
-/// A solid in the way of the tether. It translates; it does not turn.
+/// A solid that the tether may touch. It translates; it does not turn.
 struct Obstacle
 {
   std::string name;

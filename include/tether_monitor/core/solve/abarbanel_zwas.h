@@ -42,7 +42,7 @@ class AbarbanelZwas
   /// finite.
   SolveReport step(const CableModel& model, const BoundaryConditions& ends, double h, CableState& state);
 
-  /// Takes memory for the obstacles of `model`, after they changed.
+  /// Accepts memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
 
  private:

@@ -56,7 +56,7 @@ class AdaptiveStepper
    */
   SolveReport advance(const CableModel& model, const BoundaryConditions& ends, double t_end, CableState& state);
 
-  /// Takes memory for the obstacles of `model`, after they changed.
+  /// Accepts memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
   const StepperOptions& options() const { return options_; }
 

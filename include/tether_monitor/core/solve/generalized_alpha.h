@@ -39,7 +39,7 @@ class GeneralizedAlpha
   /// Sets all accelerations so that the equations of motion hold at state.time, for a motion that begins there.
   SolveReport initializeAcceleration(const CableModel& model, const BoundaryConditions& ends, CableState& state);
 
-  /// Takes memory for the obstacles of `model`, after they changed.
+  /// Accepts memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
   const NewtonOptions& options() const { return options_; }
 

@@ -12,9 +12,10 @@ namespace tether_monitor::core
 struct MeshSelection
 {
   int elements = 0;
-  double step = 0.0;       ///< [s], at most that of the options.
-  double error = 0.0;      ///< expected RMS error of the end tensions over their mean in the trial motion [-].
-  bool converged = false;  ///< false: MOST_ELEMENTS are not enough, or the trials told nothing (error infinite).
+  double step = 0.0;   ///< [s], at most that of the options.
+  double error = 0.0;  ///< expected RMS error of the end tensions over their mean in the trial motion [-].
+  bool converged =
+      false;  ///< false: MOST_ELEMENTS are not enough, or the trials were inconclusive (error infinite).
 
   template <class Archive>
   void serialize(Archive& a)
@@ -30,7 +31,7 @@ constexpr int FEWEST_ELEMENTS = 8, MOST_ELEMENTS = 200;  ///< that selectMesh() 
  *
  * From the steady state the ends are moved as ends at sea are: the vessel heaves (up to 1 m, 8 s), a held vehicle
  * circles (up to 5 m, 60 s), and both gather way ahead and astern (1.5 m/s): less where the tether has no slack
- * for it. The same motion with twice the elements, and with half the step, tells the error; (M29) of doc/model.md.
+ * for it. The same motion with twice the elements, and with half the step, give the error; (M29) of doc/model.md.
  *
  * For set-up: takes memory, and up to a second or two of computing, which a budget of iterations bounds.
  *

@@ -9,7 +9,7 @@
 
 namespace tether_monitor::monitor
 {
-/// What an alarm looks at: a value, and where along the tether it is taken [m]; NaN: unknown, nowhere.
+/// What an alarm watches: a value, and where along the tether it is taken [m]; NaN: unknown, nowhere.
 struct AlarmValue
 {
   double value = TetherEstimate::NONE;
@@ -32,7 +32,7 @@ struct AlarmQuantity
   AlarmConfig defaults;
   std::optional<double> (*derivedLimit)(const Config&);  ///< limit where the configuration has none; null: none.
   AlarmValue (*value)(const TetherEstimate&);            ///< NaN while unknown.
-  bool is_tension;  ///< its warning looks at the upper confidence bound of the tension.
+  bool is_tension;  ///< its warning watches the upper confidence bound of the tension.
 };
 
 /// All of them, in the order in which alarms are published. over_tension comes first.

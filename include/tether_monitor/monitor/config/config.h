@@ -24,7 +24,7 @@ struct Config
   core::CableLayout layout;
   int elements = 50;                ///< with an accuracy: until it is chosen.
   std::optional<double> accuracy;   ///< wanted [-], 1e-5..0.1: elements and step are chosen when it settles.
-  double drag_amplification = 1.0;  ///< factor on the normal drag where the tether strums [-], >= 1.
+  double drag_amplification = 1.0;  ///< factor on the normal drag where vortices shed [-], >= 1.
   std::optional<core::WinchProperties> winch;
   BodyConfig vessel;
   BodyConfig vehicle;

@@ -15,8 +15,8 @@ class ObstacleTracker
 {
  public:
   /**
-   * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the grip
-   * of the tether on it.
+   * Replaces the obstacles, whose places are those of time t [s]. One with the name of an old one keeps the
+   * friction of the tether on it.
    *
    * @param running     the tether of the simulation is in motion.
    * @return what is wrong with them, and nothing changes; empty if nothing is.

@@ -16,7 +16,7 @@ class VortexSheddingMonitor
   /// Begins with what a start has found; the next update() looks again.
   void begin(const core::VortexShedding& found);
   void update(CableSimulation& simulation);
-  /// As it was at the last look.
+  /// As it was at the last update.
   const core::VortexShedding& last() const { return last_; }
 
   template <class Archive>
@@ -27,7 +27,7 @@ class VortexSheddingMonitor
 
  private:
   double amplification_;
-  double time_ = -std::numeric_limits<double>::infinity();  // of the last look [s]
+  double time_ = -std::numeric_limits<double>::infinity();  // of the last update [s]
   core::VortexShedding last_;
 };
 

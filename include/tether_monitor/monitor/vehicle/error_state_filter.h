@@ -8,7 +8,7 @@ namespace tether_monitor::monitor
 /// What the filter takes the unknown on the vehicle to be.
 struct ProcessNoiseModel
 {
-  double force = 1000.0;  ///< standard deviation of the force that nobody tells [N], > 0.
+  double force = 1000.0;  ///< standard deviation of the unmodelled force [N], > 0.
   double vertical_ratio =
       0.15;  ///< of both of its upward part: weight is known better than thrust, drag and current [-].
   double force_random_walk = 10.0;  ///< how it wanders [N/sqrt(s)], > 0.
@@ -75,7 +75,7 @@ class VehicleErrorStateFilter
 
   /// Force on the nominal vehicle [N], world axes: the disturbance and what brings it to the mean.
   core::Vector3 appliedForce() const { return transferred_disturbance_ + drag_force_ + feedbackForce(); }
-  /// The part of it that nobody believes in.
+  /// The part of it that is feedback, not disturbance.
   core::Vector3 feedbackForce() const;
 
   core::Vector3 positionError() const { return error_.segment<3>(0) + error_[10] * stiffness_.chord; }
@@ -129,7 +129,7 @@ class VehicleErrorStateFilter
   core::Vector3 drag_ = core::Vector3::Zero();                     // on the nominal vehicle [N]
   double drag_share_ = 0.0;                                        // in the nominal motion [-]
   core::Matrix3 initial_force_covariance_ =
-      core::Matrix3::Zero();                     // what is left of the doubt about the force of the start [N^2]
+      core::Matrix3::Zero();                     // what is left of the uncertainty of the initial force [N^2]
   Matrix mean_transition_ = Matrix::Identity();  // over mean_dt_
   Eigen::Matrix<double, STATES, 3> mean_drive_ = Eigen::Matrix<double, STATES, 3>::Zero();
   double mean_dt_ = 0.0;

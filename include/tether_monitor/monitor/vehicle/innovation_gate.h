@@ -9,8 +9,8 @@ namespace tether_monitor::monitor
 struct InnovationStatistics
 {
   long accepted = 0;         ///< positions and velocities that corrected the estimate.
-  long refused = 0;          ///< that were too far off to be believed.
-  long reacquired = 0;       ///< times that those too far off were believed after all.
+  long refused = 0;          ///< that were rejected as outliers.
+  long reacquired = 0;       ///< times that rejected ones were accepted after all.
   double noise_scale = 1.0;  ///< innovations over what they should be, root mean square [-].
   double normalized_innovation_mean =
       0.0;            ///< mean innovation over what chance would leave of it [-]; beyond 4 something is wrong.
@@ -24,10 +24,10 @@ struct InnovationStatistics
 };
 
 /**
- * Decides which measurements of the vehicle are believed: (E14)-(E16) of doc/estimation.md.
+ * Decides which measurements of the vehicle are accepted: (E14)-(E16) of doc/estimation.md.
  *
  * What is too far from the prediction is refused. Where refused positions go on to agree with each other, the gate
- * was wrong and they are believed; but if they contradict positions that were believed just before, it stays in
+ * was wrong and they are accepted; but if they contradict positions accepted just before, it stays in
  * question which were right. Plain data.
  */
 class InnovationGate
@@ -45,7 +45,7 @@ class InnovationGate
   double processNoiseScale() const;
   /// True while positions and model contradict each other.
   bool isInconsistent(double t) const;
-  /// Time of the last position that was believed, of the axis that has waited longest [s].
+  /// Time of the last position that was accepted, of the axis that has waited longest [s].
   double lastAccepted() const { return last_accepted_.minCoeff(); }
   const InnovationStatistics& report() const { return report_; }
 
@@ -61,7 +61,7 @@ class InnovationGate
   void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square);
 
   core::Vector3 last_accepted_ = core::Vector3::Zero();  // of every axis
-  double last_seen_ = 0.0;                               // last position, believed or not
+  double last_seen_ = 0.0;                               // last position, accepted or not
   double reacquisition_until_ = 0.0;                     // nothing better is known so long
   int consecutive_rejections_ = 0;                       // in a row that agree with each other
   core::Vector3 last_offset_ = core::Vector3::Zero();

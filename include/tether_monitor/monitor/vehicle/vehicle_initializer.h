@@ -5,7 +5,7 @@
 
 namespace tether_monitor::monitor
 {
-/// A steady state to begin with: where the vehicle is, and what force that nobody reports keeps it there.
+/// A steady state to begin with: where the vehicle is, and which unmodelled force keeps it there.
 struct VehicleInitialization
 {
   core::NodeField shape;

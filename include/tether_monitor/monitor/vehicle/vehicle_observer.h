@@ -66,7 +66,7 @@ class VehicleObserver
   void moveObstacle(std::size_t k, const core::ObstacleMotion& now, double t);
   /// Another model from now on: snapshots of the old one are of no more use.
   void forgetPast(const core::CableState& state);
-  /// Takes memory for a model; begin() or the state of an archive must follow.
+  /// Accepts memory for a model; begin() or the state of an archive must follow.
   void prepare(const core::CableModel& model);
 
   /**
@@ -86,7 +86,7 @@ class VehicleObserver
 
   /// Time of the beginning [s]; -infinity before.
   double initializedAt() const { return initialized_at_; }
-  /// Age at time t [s] of the last position that was believed; after begin().
+  /// Age at time t [s] of the last position that was accepted; after begin().
   double age(double t) const { return t - filter_state_.gate.lastAccepted(); }
   /// Age at time t [s] of the last position that was measured; infinite before the first.
   double measuredAge(double t) const { return t - timing_.newest(); }

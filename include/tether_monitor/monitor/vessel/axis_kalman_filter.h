@@ -7,9 +7,9 @@ namespace tether_monitor::monitor
 /**
  * Kalman filter of one coordinate of a vessel in a seaway: (E10)-(E12) of doc/estimation.md.
  *
- * Seven states: the way of the vessel (place, velocity, a fading acceleration) and the motion in the waves on top,
- * two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in the
- * last minute. Plain data: copy it to save it.
+ * Seven states: the track of the vessel (position, velocity, a fading acceleration) and the motion in the waves on
+ * top, two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in
+ * the last minute. Plain data: copy it to save it.
  */
 class AxisKalmanFilter
 {
@@ -35,7 +35,7 @@ class AxisKalmanFilter
   void predict(double t);
   void correctPosition(double position, double stddev);
   void correctVelocity(double velocity, double stddev);
-  /// Takes recordInnovation of an innovation, over its standard deviation: those that go on to be too large make
+  /// Accepts recordInnovation of an innovation, over its standard deviation: those that go on to be too large make
   /// the filter follow faster until it has learnt why.
   void recordInnovation(double normalizedInnovation);
   /// How much larger than expected its innovations are, squared [-]; 1 or less is as expected.
@@ -43,7 +43,7 @@ class AxisKalmanFilter
   /// Innovation of a position or of a velocity over its standard deviation [-].
   double normalizedInnovation(double position, double stddev) const;
   double normalizedVelocityInnovation(double velocity, double stddev) const;
-  /// Takes it from others what the waves are like: their frequency [rad/s] and standard deviation [m].
+  /// Accepts it from others what the waves are like: their frequency [rad/s] and standard deviation [m].
   void setWaveModel(double rate, double height);
   /// False for what no measurements can have made.
   bool isValid() const;

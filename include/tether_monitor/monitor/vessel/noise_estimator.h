@@ -15,7 +15,7 @@ class DifferenceNoiseEstimator
   static constexpr double UNKNOWN = 0.05;  ///< until it has been measured [m].
   static constexpr double LEAST = 1e-4;    ///< [m]
 
-  /// Takes a value at time t [s]. Uneven spacing begins a new series.
+  /// Accepts a value at time t [s]. Uneven spacing begins a new series.
   void add(double t, double value);
   /// Standard deviation of the noise.
   double stddev() const;

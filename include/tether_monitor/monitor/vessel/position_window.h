@@ -15,7 +15,7 @@ class PositionWindow
 
   PositionWindow() : samples_(MAX_TRACK_SAMPLES) {}
 
-  /// Takes a sample, if it is later than the last by SPACING, or else better.
+  /// Accepts a sample, if it is later than the last by SPACING, or else better.
   void add(const TrackSample& sample);
   void clear() { samples_.clear(); }
   bool empty() const { return samples_.empty(); }

@@ -30,13 +30,13 @@ struct TrackFit
   double position = 0.0;  ///< [m]
   double velocity = 0.0;  ///< [m/s]
   double velocity_stddev =
-      0.0;  ///< of it: noise, waves that are too long to be told from a track, or no sines [m/s].
+      0.0;  ///< of it: noise, waves that are too long to be distinguished from a track, or no sines [m/s].
   double wave_frequency = 0.0;        ///< of the likeliest wave [rad/s]; 0: more likely there is none.
   double wave_stddev = 0.0;           ///< standard deviation of the motion in it [m].
   WaveProbabilities probabilities{};  ///< after the samples.
 };
 
-constexpr std::size_t MAX_TRACK_SAMPLES = 256;  ///< that fitTrackAndWave() looks at.
+constexpr std::size_t MAX_TRACK_SAMPLES = 256;  ///< that fitTrackAndWave() uses.
 
 /**
  * The straight track under the motion in the waves, (E11) of doc/estimation.md: a line, or a line and one wave.

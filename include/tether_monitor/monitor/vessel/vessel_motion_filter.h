@@ -17,7 +17,7 @@ namespace tether_monitor::monitor
  * Motion of the vessel's end of the tether out of noisy measurements: (E10)-(E13) of doc/estimation.md.
  *
  * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis
- * has its own filter, so that satellite positions and a heave sensor can take turns. RecordedMeasurements may come
+ * has its own filter, so that satellite positions and a heave sensor can take turns. Measurements may come
  * late and out of order within some seconds: the filters are set back and run again. Allocates only in the
  * constructor.
  */
@@ -39,7 +39,7 @@ class VesselMotionFilter
   /// What the next two would answer; nothing changes.
   Rejection checkPosition(double t, const MeasuredVector& position) const;
   Rejection checkVelocity(double t, const MeasuredVector& velocity) const;
-  /// Accepts a position of the attachment at time t [s]; where its accuracy is unspecified, its own noise tells.
+  /// Accepts a position of the attachment at time t [s]; where its accuracy is unspecified, its own noise decides.
   Rejection addPosition(double t, const MeasuredVector& position);
   /// The same for its velocity [m/s].
   Rejection addVelocity(double t, const MeasuredVector& velocity);
@@ -72,7 +72,7 @@ class VesselMotionFilter
   /// How fast the errors of a motion are [1/s].
   static double errorRate(const Motion& motion);
   const AxisKalmanFilter& axis(int i) const { return filters_[i]; }
-  /// RecordedMeasurements that were far beyond what the filter could believe.
+  /// Measurements that were rejected as outliers.
   long outliers() const { return outliers_; }
   bool isValid() const;
 
