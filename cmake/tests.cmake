@@ -26,16 +26,22 @@ set(test_files
   test/core/verification/closed_forms_test.cpp
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
+  test/monitor/alarms/alarm_quantities_test.cpp
+  test/monitor/alarms/alarm_set_test.cpp
   test/monitor/alarms/alarm_test.cpp
   test/monitor/estimator/allocation_test.cpp
   test/monitor/estimator/estimator_snapshot_test.cpp
   test/monitor/estimator/free_vehicle_end_test.cpp
+  test/monitor/estimator/input_watchdog_test.cpp
   test/monitor/estimator/observed_vehicle_end_test.cpp
   test/monitor/estimator/observed_vehicle_faults_test.cpp
   test/monitor/estimator/payout_test.cpp
   test/monitor/estimator/steady_start_test.cpp
   test/monitor/estimator/tether_estimator_test.cpp
+  test/monitor/estimator/tracked_body_test.cpp
   test/monitor/measurements/correction_blender_test.cpp
+  test/monitor/measurements/measured_vector_test.cpp
+  test/monitor/measurements/measurement_history_test.cpp
   test/monitor/measurements/motion_buffer_test.cpp
   test/monitor/vehicle/error_state_filter_test.cpp
   test/monitor/vehicle/vehicle_initializer_test.cpp
@@ -44,6 +50,7 @@ set(test_files
   test/params/load_config_test.cpp
   test/replay/csv_replay_test.cpp
   test/replay/recorded_motion_test.cpp
+  test/replay/steady_state_run_test.cpp
   test/simulation/acoustic_navigation_test.cpp
   test/simulation/simulator_test.cpp
   test/verification/navigation_study_test.cpp
@@ -75,3 +82,18 @@ endfunction()
 foreach(file ${test_files})
   add_unit_test(${file})
 endforeach()
+
+# Folders, sizes and words of the house; that the check finds what it looks for; format, where clang-format is the one that
+# the house uses.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME house COMMAND ${Python3_EXECUTABLE} scripts/check_house WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+add_test(NAME house_self_test COMMAND ${Python3_EXECUTABLE} scripts/check_house --self-test
+  WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+add_test(NAME format COMMAND scripts/check_format WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+set_tests_properties(house house_self_test format PROPERTIES LABELS house)
+set_tests_properties(format PROPERTIES SKIP_RETURN_CODE 77)
+
+# A plain CMake project that finds the installed core library.
+add_test(NAME consumer COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/test/consumer/run ${CMAKE_CURRENT_SOURCE_DIR}
+  ${CMAKE_CURRENT_BINARY_DIR}/consumer)
+set_tests_properties(consumer PROPERTIES LABELS consumer TIMEOUT 900)

@@ -17,9 +17,9 @@ install_dependencies() {
   "$ROOT/scripts/install_dependencies" "$@"
 }
 
-# build TARGET...: configures if needed and builds.
+# build TARGET...: configures if needed and builds; CONFIGURE holds further options.
 build() {
-  cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON > "$ROOT/.build/configure.log" 2>&1 \
+  cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON ${CONFIGURE:-} > "$ROOT/.build/configure.log" 2>&1 \
     || { cat "$ROOT/.build/configure.log"; return 1; }
   cmake --build "$BUILD" --target "$@"
 }

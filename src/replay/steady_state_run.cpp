@@ -9,6 +9,8 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
 {
   monitor::Config calm = config;
   calm.environment.waves.amplitude = 0.0;
+  if (calm.vehicle_mode == monitor::VehicleMode::OBSERVED)
+    calm.vehicle_mode = monitor::VehicleMode::TRACKED;
   monitor::TetherEstimator estimator(calm);
   monitor::EndTargets ends;
   ends.vessel = {vessel + config.vessel.attachment, velocity};

@@ -25,7 +25,8 @@ struct SteadyState
  * The steady state of a configuration with both bodies level, moving together ("solution setting" of the paper),
  * waves taken away.
  *
- * @param config    mode tracked: the vehicle is held at `vehicle`; mode free: it hangs from the tether.
+ * @param config    modes tracked and observed: the vehicle is held at `vehicle`; mode free: it hangs from
+ *                  the tether.
  * @param vessel    position of the vessel's reference point [m].
  * @param vehicle   position of the vehicle's reference point [m]; not used in mode free.
  * @param velocity  of both [m/s].

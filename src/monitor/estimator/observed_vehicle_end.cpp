@@ -123,9 +123,11 @@ core::CableModel ObservedVehicleEnd::modelAtRest(const core::CableModel& model,
   return observer_.modelWithInitialForces(model, start, thrustInWorld());
 }
 
-void ObservedVehicleEnd::begin(const VehicleInitialization& start, CableSimulation& simulation)
+void ObservedVehicleEnd::begin(const VehicleInitialization& start, const EndTargets& targets,
+                               CableSimulation& simulation)
 {
-  observer_.begin(simulation.model, start, simulation.state);
+  const double measured_at = simulation.state.time - targets.vehicle_age;
+  observer_.begin(simulation.model, start, measured_at, simulation.state);
 }
 
 core::SolveReport ObservedVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,

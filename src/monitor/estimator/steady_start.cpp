@@ -115,8 +115,10 @@ class StartSearch
   bool settleContact()
   {
     simulation_.updatedCable().initializeContact(simulation_.state);
-    simulation_.last_solve =
+    const core::SolveReport slip =
         core::relaxFriction(vehicle_.modelAtRest(simulation_.model, start_.vehicle), simulation_.state);
+    simulation_.last_solve.addCost(slip);
+    simulation_.last_solve.status = slip.status;
     return isConverged();
   }
 

@@ -184,7 +184,7 @@ bool TetherEstimator::start(double t, const EndTargets& ends)
   if (!simulation_.last_solve.converged())
     return false;
   simulation_ = std::move(found.simulation);
-  vehicle_->begin(found.vehicle, simulation_);
+  vehicle_->begin(found.vehicle, ends, simulation_);
   obstacles_.begin(t);
   payout_.reached(ends);
   vortex_shedding_.begin(found.vortex_shedding);

@@ -199,7 +199,7 @@ void VehicleObserver::prepare(const core::CableModel& model)
   snapshots_.clear();
 }
 
-void VehicleObserver::begin(const core::CableModel& model, const VehicleInitialization& start,
+void VehicleObserver::begin(const core::CableModel& model, const VehicleInitialization& start, double measured_at,
                             core::CableState& state)
 {
   prepare(model);
@@ -216,7 +216,7 @@ void VehicleObserver::begin(const core::CableModel& model, const VehicleInitiali
   disturbance.force_random_walk *= start.force_scale;
   filter_state_.filter.start(disturbance, start.position_covariance, INITIAL_VELOCITY_STDDEV, start.force,
                              start.force_covariance, dragOn(model, state), stiffness);
-  filter_state_.gate.start(state.time, timing_.newest());
+  filter_state_.gate.start(state.time, measured_at);
   filter_state_.chord_excess = start.chord_excess;
   filter_state_.relinearize_at = state.time + RELINEARIZATION_INTERVAL;
   history_.discardBefore(state.time);

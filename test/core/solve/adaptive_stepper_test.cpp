@@ -55,6 +55,40 @@ TEST_F(StepperTest, GarbageLeavesTheStateAsItWas)
   EXPECT_EQ(state.q[7], before.q[7]);
 }
 
+TEST_F(StepperTest, AFailedStepLeavesTheDeployedLengthAsItWas)
+{
+  for (const Scheme scheme : {Scheme::GENERALIZED_ALPHA, Scheme::ABARBANEL_ZWAS})
+  {
+    StepperOptions options;
+    options.scheme = scheme;
+    AdaptiveStepper stepper(model, options);
+    const double built = model.length();
+    BoundaryConditions drive = towards({-330, 0, -155}, 0.1);
+    drive.payout = PayoutTrajectory::between(0.0, {built, 0.0, 0.0}, 0.1, {built + 0.2, 3.0, 0.0});
+    CableState paid_out = state;
+    ASSERT_TRUE(stepper.advance(model, drive, 0.1, paid_out).converged());
+    ASSERT_NEAR(model.length(paid_out.deployment), built + 0.2, 1e-12);
+    EXPECT_EQ(model.length(), built) << "the model holds no motion";
+
+    const CableState before = paid_out;
+    BoundaryConditions bad = drive;
+    bad.payout = PayoutTrajectory::between(0.1, {built + 0.2, 3.0, 0.0}, 0.2, {built + 0.6, 3.0, 0.0});
+    bad.vehicle = EndTrajectory::between(0.1, {Vector3::Constant(NAN), Vector3::Zero()}, 0.2, EndMotion());
+    EXPECT_FALSE(stepper.advance(model, bad, 0.2, paid_out).converged());
+    EXPECT_TRUE(paid_out.deployment == before.deployment);
+    EXPECT_EQ(paid_out.q[7], before.q[7]);
+
+    // And what steps on is not another for the failure.
+    AdaptiveStepper fresh(model, options);
+    CableState other = before;
+    const BoundaryConditions still{EndTrajectory::uniform(0.1, {{0, 0, -5}, Vector3::Zero()}),
+                                   EndTrajectory::uniform(0.1, {{-330, 0, -155}, Vector3::Zero()})};
+    ASSERT_TRUE(stepper.advance(model, still, 0.2, paid_out).converged());
+    ASSERT_TRUE(fresh.advance(model, still, 0.2, other).converged());
+    EXPECT_EQ(paid_out.q, other.q);
+  }
+}
+
 TEST_F(StepperTest, TheBudgetHolds)
 {
   StepperOptions options;

@@ -8,6 +8,41 @@
 
 namespace tether_monitor::monitor
 {
+// The vehicle is 8 m aside of where it would hang: good positions say that a force keeps it there, poor ones do
+// not.
+TEST(ObservedVehicle, TheFirstPositionsCountAsTheirCovarianceSays)
+{
+  const auto startWith = [](double stddev)
+  {
+    TetherEstimator estimator(observedConfig());
+    for (double t = 0.0; t < 12.0; t += 0.2)
+    {
+      estimator.addVessel(PoseMeasurement{t, Vector3(0.0, 0.0, 1.0)});
+      const Vector3 place(8.0, 1e-3 * t, -98.6);
+      estimator.addVehicle(PoseMeasurement{t, MeasuredVector::withStddev(place, Vector3::Constant(stddev))});
+    }
+    EXPECT_TRUE(estimator.canBegin(12.0));
+    estimator.beginFromTracks(12.0);
+    EXPECT_TRUE(estimator.isRunning()) << stddev;
+    return estimator.simulation().state.q.back().x();
+  };
+  EXPECT_NEAR(startWith(0.05), 8.0, 0.2);
+  EXPECT_LT(startWith(50.0), 4.0);
+}
+
+TEST(ObservedVehicle, BeginsBetweenGivenEndsWithTheConfiguredAccuracy)
+{
+  TetherEstimator estimator(observedConfig());
+  EndTargets ends;
+  ends.vessel.position = {0.0, 0.0, 1.0};
+  ends.vehicle.position = {8.0, 0.0, -98.5};
+  estimator.begin(5.0, ends);
+  ASSERT_TRUE(estimator.isRunning());
+  EXPECT_GT(estimator.simulation().last_solve.iterations, 0);
+  EXPECT_LT((estimator.simulation().state.q.back().head<3>() - ends.vehicle.position).norm(), 0.5);
+  EXPECT_NE(estimator.estimate().reason, Reason::VEHICLE_STALE) << "the ends are known at this very time";
+}
+
 TEST(ObservedVehicle, AFixAtTheTimeOfASavedStateCounts)
 {
   NavigationFixture sea;

@@ -141,6 +141,60 @@ TEST(Estimator, ImpossibleEndsEndInAStatus)
   EXPECT_NE(feeder.estimator.estimate().status, Status::OK);
 }
 
+TEST(Estimator, AStartThatFailsLeavesNoTrace)
+{
+  EstimatorFixture feeder;
+  ASSERT_EQ(feeder.run(2.0).status, Status::OK);
+  const core::CableModel model = feeder.estimator.simulation().model;
+  const core::NodeField q = feeder.estimator.simulation().state.q;
+  EndTargets far;
+  far.vessel.position = {500.0, 0.0, 1.0};
+  far.vehicle.position.setConstant(std::nan(""));
+  far.payout = core::PayoutState{90.0, 0.0, 0.0};
+  EXPECT_EQ(feeder.estimator.begin(feeder.t, far).reason, Reason::NOT_CONVERGED);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::STARTING);
+  EXPECT_TRUE(feeder.estimator.simulation().model.isSame(model)) << "origin and obstacles";
+  EXPECT_EQ(feeder.estimator.simulation().length(), 100.0);
+  EXPECT_EQ(feeder.estimator.simulation().state.q, q);
+}
+
+TEST(Estimator, GoesThroughItsPhases)
+{
+  EstimatorFixture feeder;
+  EXPECT_EQ(feeder.estimator.phase(), Phase::IDLE);
+  feeder.estimator.tick(feeder.t);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::WAITING);
+  feeder.run(0.05);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::STARTING);
+  feeder.run(1.0);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::RUNNING);
+  feeder.t += 100.0;
+  feeder.run(0.05);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::WAITING) << "the clock has leapt";
+  feeder.run(1.0);
+  EXPECT_EQ(feeder.estimator.phase(), Phase::RUNNING);
+  feeder.estimator.reset();
+  EXPECT_EQ(feeder.estimator.phase(), Phase::IDLE);
+}
+
+TEST(Estimator, AMessageIsAcceptedAsAWholeOrNotAtAllInEveryMode)
+{
+  for (const VehicleMode mode : {VehicleMode::TRACKED, VehicleMode::FREE, VehicleMode::OBSERVED})
+  {
+    Config config = testConfig();
+    config.vehicle_mode = mode;
+    config.vehicle_body = smallVehicle();
+    TetherEstimator estimator(config);
+    const PoseMeasurement pose{1.0, core::Vector3(0.0, 0.0, 1.0)};
+    const TwistMeasurement rates{1.0, core::Vector3(NAN, 0.0, 0.0)};
+    EXPECT_EQ(estimator.addVessel(pose, rates), Rejection::NOT_FINITE);
+    EXPECT_EQ(estimator.addVehicle(pose, rates), Rejection::NOT_FINITE);
+    EXPECT_FALSE(estimator.vessel().track().hasPose());
+    EXPECT_FALSE(estimator.vehicle().track().hasPose());
+    EXPECT_TRUE(std::isinf(estimator.vessel().age(2.0)));
+  }
+}
+
 TEST(Estimator, ACopyGoesOnAsTheOriginal)
 {
   EstimatorFixture feeder;

@@ -35,7 +35,7 @@ class ObservedVehicleEnd final : public VehicleEnd
     return findStart(simulation, ends, targets, start);
   }
   core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& start) const override;
-  void begin(const VehicleInitialization& start, CableSimulation& simulation) override;
+  void begin(const VehicleInitialization& start, const EndTargets& targets, CableSimulation& simulation) override;
   core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                             CableSimulation& simulation) override;
   void moveObstacle(std::size_t k, const CableSimulation& simulation) override;

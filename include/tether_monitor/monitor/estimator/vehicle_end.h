@@ -61,7 +61,10 @@ class VehicleEnd
     return model;
   }
   /// Begins at the simulation's state.
-  virtual void begin(const VehicleInitialization& /*start*/, CableSimulation& /*simulation*/) {}
+  virtual void begin(const VehicleInitialization& /*start*/, const EndTargets& /*targets*/,
+                     CableSimulation& /*simulation*/)
+  {
+  }
 
   /// Steps to time t [s] towards the targets. @param paths  of the vessel and of the deployed length.
   virtual core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,

@@ -58,7 +58,9 @@ class VehicleObserver
                                const core::Vector3& velocity_stddev, const core::Vector3& thrust,
                                VehicleInitialization& start) const;
   /// Begins at the state of an initialize(), to which the measured attitude is given.
-  void begin(const core::CableModel& model, const VehicleInitialization& start, core::CableState& state);
+  /// @param measured_at  time of the last position that it rests on [s].
+  void begin(const core::CableModel& model, const VehicleInitialization& start, double measured_at,
+             core::CableState& state);
   /// The model with the vehicle of `start`, what is known and what is not acting on it.
   core::CableModel modelWithInitialForces(const core::CableModel& model, const VehicleInitialization& start,
                                           const core::Vector3& thrust) const;
