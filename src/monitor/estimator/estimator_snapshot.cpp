@@ -109,7 +109,7 @@ std::vector<std::uint8_t> EstimatorSnapshot::save(const TetherEstimator& estimat
 {
   Header header;
   header.configuration = fingerprint(estimator.config_);
-  header.model = changesOf(estimator.simulation_);
+  header.model = changesOf(estimator.cycle_.simulation_);
   core::BinaryWriter writer;
   writer(header, estimator);
   std::vector<std::uint8_t> bytes = writer.bytes();
@@ -131,23 +131,23 @@ bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherE
   if (!model)
     return false;
   TetherEstimator copy = estimator;
-  setModel(*model, header.model, copy.simulation_);
-  copy.vehicle_->prepare(*model);
+  setModel(*model, header.model, copy.cycle_.simulation_);
+  copy.cycle_.vehicle_->prepare(*model);
   reader(copy);
-  const core::CableState& state = copy.simulation_.state;
-  const bool is_sound = reader.finished() && fits(copy.estimate_, *model) && copy.phase_ >= Phase::IDLE &&
-                        copy.phase_ <= Phase::RUNNING && copy.vessel_->isValid() &&
-                        copy.vehicle_->isValid(*model) && copy.payout_.isValid() &&
-                        (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate_.time));
+  const core::CableState& state = copy.cycle_.simulation_.state;
+  const bool is_sound = reader.finished() && fits(copy.estimate(), *model) && copy.phase() >= Phase::IDLE &&
+                        copy.phase() <= Phase::RUNNING && copy.cycle_.vessel_->isValid() &&
+                        copy.cycle_.vehicle_->isValid(*model) && copy.cycle_.payout_.isValid() &&
+                        (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate().time));
   if (!is_sound)
     return false;
 
   // Once more into the members themselves: what they have reserved stays theirs.
-  setModel(*model, header.model, estimator.simulation_);
-  estimator.vehicle_->prepare(*model);
+  setModel(*model, header.model, estimator.cycle_.simulation_);
+  estimator.cycle_.vehicle_->prepare(*model);
   core::BinaryReader again(bytes);
   again(header, estimator);
-  estimator.simulation_.stepper.prepareObstacles(*model);
+  estimator.cycle_.simulation_.stepper.prepareObstacles(*model);
   return true;
 }
 

@@ -1,0 +1,258 @@
+#include "tether_monitor/monitor/estimator/estimation_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tether_monitor/monitor/estimate/estimate_summary.h"
+#include "tether_monitor/monitor/estimator/estimate_writer.h"
+#include "tether_monitor/monitor/estimator/steady_start.h"
+#include "tether_monitor/monitor/model/model_factory.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double ABSURD = 10.0;      // breaking loads: no tether carries that, an input is wrong
+constexpr double START_RETRY = 1.0;  // [s] between attempts to find a steady state
+}  // namespace
+
+EstimationCycle::EstimationCycle(const Config& config)
+  : config_(config),
+    simulation_(config),
+    vessel_(makeVesselEnd(config)),
+    vehicle_(makeVehicleEnd(config)),
+    payout_(config),
+    watchdog_(config),
+    vortex_shedding_(config.drag_amplification)
+{
+  estimate_.stations = core::StationProfile(config.elements);
+  estimate_.contact.obstacles.resize(config.environment.obstacles.size());
+}
+
+void EstimationCycle::setEnvironment(const core::EnvironmentModel& environment)
+{
+  simulation_.model = simulation_.model.withEnvironment(environment);
+}
+
+bool EstimationCycle::setDepth(double depth)
+{
+  core::Environment changed = simulation_.model.environment().description();
+  if (!changed.seabed)
+    return false;
+  changed.seabed->depth = depth;
+  if (!core::validate(changed).empty())
+    return false;
+  setEnvironment(simulation_.model.environment().withDepth(depth));
+  simulation_.reported_depth = depth;
+  return true;
+}
+
+std::vector<std::string> EstimationCycle::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
+{
+  const std::vector<std::string> faults = obstacles_.set(t, obstacles, isRunning(), simulation_, *vehicle_);
+  if (faults.empty())
+    estimate_.contact.obstacles.resize(obstacles.size());
+  return faults;
+}
+
+bool EstimationCycle::addPayout(double t, double length, double rate)
+{
+  return payout_.add(t, length, rate, canDeploy(config_, simulation_.model, length));
+}
+
+void EstimationCycle::reset()
+{
+  vessel_->clear();
+  vehicle_->clear();
+  payout_.clear();
+  watchdog_.clear();
+  invalidate(Reason::NO_INPUT, estimate_);
+  phase_ = Phase::IDLE;
+}
+
+EndTargets EstimationCycle::targetsAt(double t)
+{
+  EndTargets targets;
+  if (isRunning())
+  {
+    vessel_->aim(t, targets);
+    vehicle_->aim(t, targets);
+  }
+  else
+  {
+    vessel_->aimAtStart(t, targets);
+    vehicle_->aimAtStart(t, targets);
+  }
+  payout_.aim(t, targets);
+  return targets;
+}
+
+void EstimationCycle::updateAges(double t)
+{
+  EndTargets ages;
+  ages.vessel_age = vessel_->age(t);
+  ages.vehicle_age = vehicle_->age(t, isRunning());
+  ages.payout_age = payout_.age(t);
+  setAges(ages);
+}
+
+void EstimationCycle::setAges(const EndTargets& ends)
+{
+  estimate_.vessel_age = ends.vessel_age;
+  estimate_.vehicle_age = ends.vehicle_age;
+  estimate_.vehicle_overdue = vehicle_->overdue(ends.vehicle_age);
+  estimate_.payout_age = ends.payout_age;
+}
+
+void EstimationCycle::announceStart(double t)
+{
+  phase_ = Phase::STARTING;
+  retry_start_at_ = t;
+}
+
+const TetherEstimate& EstimationCycle::refuse(double t, Reason reason)
+{
+  if (isRunning())
+    phase_ = Phase::STARTING;
+  estimate_.time = t;
+  invalidate(reason, estimate_);
+  return estimate_;
+}
+
+const TetherEstimate& EstimationCycle::tick(double t)
+{
+  const double since_last = t - estimate_.time;
+  const double longest_gap = std::max(config_.invalid_timeout, 3.0 / config_.rate);
+  if (phase_ != Phase::IDLE && (since_last < 0.0 || since_last > longest_gap))
+  {
+    // Backwards, the clock has started again and the measurements belong to the old one.
+    if (since_last < 0.0)
+      reset();
+    phase_ = Phase::WAITING;
+    retry_start_at_ = t;
+    updateAges(t);
+    return refuse(t, Reason::CLOCK_JUMP);
+  }
+  if (phase_ == Phase::IDLE)
+    phase_ = Phase::WAITING;
+  updateAges(t);
+  const Reason missing = watchdog_.invalidReason(estimate_, isRunning() && vehicle_->canCoast());
+  if (missing != Reason::NONE)
+    return refuse(t, missing);
+  if (isRunning())
+    return advance(t, targetsAt(t));
+  if (phase_ == Phase::WAITING || !canBegin(t))
+  {
+    announceStart(t);
+    return refuse(t, Reason::SETTLING);
+  }
+  if (t < retry_start_at_)
+    return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
+  return begin(t, targetsAt(t));
+}
+
+bool EstimationCycle::start(double t, const EndTargets& ends)
+{
+  phase_ = Phase::STARTING;
+  retry_start_at_ = t + START_RETRY;
+  SteadyStart found = findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
+  simulation_.last_solve = found.simulation.last_solve;
+  if (!simulation_.last_solve.converged())
+    return false;
+  simulation_ = std::move(found.simulation);
+  vehicle_->begin(found.vehicle, ends, simulation_);
+  obstacles_.begin(t);
+  payout_.reached(ends);
+  vortex_shedding_.begin(found.vortex_shedding);
+  estimate_.stations = core::StationProfile(simulation_.mesh.elements);
+  phase_ = Phase::RUNNING;
+  return true;
+}
+
+const TetherEstimate& EstimationCycle::begin(double t, const EndTargets& ends)
+{
+  setAges(ends);
+  return start(t, ends) ? publish(ends) : refuse(t, Reason::NOT_CONVERGED);
+}
+
+core::SolveReport EstimationCycle::step(double t, const EndTargets& ends)
+{
+  const core::CableState& state = simulation_.state;
+  core::BoundaryConditions paths;
+  paths.vessel = core::EndTrajectory::between(state.time, {state.q[0].head<3>(), state.v[0].head<3>()}, t,
+                                              {ends.vessel.position - simulation_.origin(), ends.vessel.velocity});
+  paths.payout = payout_.trajectory(ends, t, simulation_);
+  const core::SolveReport report = vehicle_->advance(paths, ends, t, simulation_);
+  payout_.reached(ends);
+  simulation_.count.steps += report.steps;
+  simulation_.count.rejected += report.rejected;
+  simulation_.count.iterations += report.iterations;
+  return report;
+}
+
+const TetherEstimate& EstimationCycle::advance(double t, const EndTargets& ends)
+{
+  if (phase_ == Phase::STARTING)
+    return begin(t, ends);
+  if (!isRunning())
+  {
+    announceStart(t);
+    return refuse(t, Reason::SETTLING);
+  }
+  setAges(ends);
+  if (t > simulation_.state.time)
+  {
+    if (payout_.isLeap(ends, t, simulation_))
+    {
+      announceStart(t);
+      watchdog_.noteRejectedInput(t);  // what follows is a steady state, not a motion
+      return refuse(t, Reason::SETTLING);
+    }
+    simulation_.last_solve = step(t, ends);
+    if (!simulation_.last_solve.converged())
+    {
+      announceStart(t);
+      return refuse(t, Reason::NOT_CONVERGED);
+    }
+  }
+  return publish(ends);
+}
+
+Reason EstimationCycle::degradedReason() const
+{
+  const Reason late = watchdog_.lateReason(estimate_, vehicle_->canCoast());
+  if (late != Reason::NONE)
+    return late;
+  const Reason range = modelRange(simulation_.cable, estimate_);
+  if (range != Reason::NONE)
+    return range;
+  const Reason doubtful = vehicle_->degradedReason(estimate_);
+  if (doubtful != Reason::NONE)
+    return doubtful;
+  return watchdog_.hasRejectedInput(estimate_.time) ? Reason::REJECTED_INPUT : Reason::NONE;
+}
+
+const TetherEstimate& EstimationCycle::publish(const EndTargets& ends)
+{
+  const double time = simulation_.state.time;
+  estimate_.payout_rate = ends.payout ? payout_.rate() : TetherEstimate::NONE;
+  writeEstimate(simulation_, *vehicle_, estimate_);
+  vortex_shedding_.update(simulation_);
+  if (!std::isfinite(estimate_.max_tension) ||
+      !std::isfinite(estimate_.vessel_tension + estimate_.vehicle_tension))
+    return refuse(time, Reason::NOT_CONVERGED);
+  if (estimate_.breaking_utilisation > ABSURD)
+    return refuse(time, Reason::OUT_OF_RANGE);
+  const Reason worthless = vehicle_->invalidReason(estimate_, ends);
+  if (worthless != Reason::NONE)
+  {
+    invalidate(worthless, estimate_);
+    return estimate_;
+  }
+  estimate_.reason = degradedReason();
+  estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;
+  return estimate_;
+}
+
+}  // namespace tether_monitor::monitor
