@@ -23,7 +23,7 @@ std::vector<std::string> validate(const CableLayout& layout, double length)
     add(check.problems());
     CableProperties properties = section.properties;
     properties.length = length;
-    for (std::string problem : validate(properties))
+    for (const std::string& problem : validate(properties))
       all.push_back(prefix + problem.substr(std::string("tether.").size()));
   }
   for (std::size_t i = 0; i < layout.attachments.size(); ++i)
