@@ -108,6 +108,16 @@ std::vector<InputStream> bodiesNeeded(bool needs_vehicle)
   return {InputStream::VESSEL};
 }
 
+// "/vessel/pose or /vessel/odom"
+std::string poseTopics(InputStream body, const std::string& prefix)
+{
+  std::string text;
+  for (const InputTopic& topic : inputTopics())
+    if (topic.stream == body && topic.is_pose)
+      text += (text.empty() ? "" : " or ") + prefix + topic.name;
+  return text;
+}
+
 [[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, bool needs_vehicle,
                                     rosbag::View& all)
 {
@@ -121,10 +131,9 @@ std::vector<InputStream> bodiesNeeded(bool needs_vehicle)
       hints.insert(connection->topic.substr(1, at - 1));
   }
   std::string text = "the bag " + path + " has no poses of " +
-                     (needs_vehicle ? "both vessel and vehicle" : "the vessel") + ": expected " + prefix +
-                     "vessel/pose or " + prefix + "vessel/odom";
-  if (needs_vehicle)
-    text += ", and " + prefix + "vehicle/pose or " + prefix + "vehicle/odom";
+                     (needs_vehicle ? "both vessel and vehicle" : "the vessel") + ": expected ";
+  for (const InputStream body : bodiesNeeded(needs_vehicle))
+    text += (body == InputStream::VEHICLE ? ", and " : "") + poseTopics(body, prefix);
   text += ". ";
   if (topics.empty())
     text += "It holds no messages at all.";

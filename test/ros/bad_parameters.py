@@ -7,6 +7,7 @@ import unittest
 import rospkg
 import rospy
 import rostest
+import common.old_rospy  # noqa: F401
 import yaml
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")

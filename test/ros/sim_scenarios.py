@@ -9,6 +9,7 @@ import unittest
 import rospkg
 import rospy
 import rostest
+import common.old_rospy  # noqa: F401
 import yaml
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import WrenchStamped

@@ -10,6 +10,7 @@ import rosbag
 import rospkg
 import rospy
 import rostest
+import common.old_rospy  # noqa: F401
 import yaml
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String

@@ -30,8 +30,8 @@ struct InputMessage
 /**
  * A topic that the monitor subscribes to.
  *
- * The one table of inputs: node, replay of bags, recording of the simulation and the documents' tables follow it.
- * A new input is an entry here, an accept() of InputAdapter, and a test.
+ * The one table of inputs: node and replay of bags follow it, tests compare README.md and launch/sim.launch with
+ * it. A new input is an entry here, an accept() of InputAdapter, and a test: CONTRIBUTING.md has the recipe.
  */
 struct InputTopic
 {

@@ -45,60 +45,63 @@ std::optional<double> poseTimeout(const Config& config)
 {
   return config.pose_timeout;
 }
+
+// Name, unit, meaning, bad side, severity, {warning, limit, {on_delay, off_delay, deadband, latch}}, derived
+// limit, value, is a tension.
+const std::vector<AlarmQuantity> QUANTITIES{
+    {"over_tension",
+     "fraction of working_load",
+     "largest tension over the working load of its section",
+     Side::ABOVE,
+     Severity::ALARM,
+     {0.8, 1.0, {0.2, 2.0, 0.05, true}},
+     nullptr,
+     workingUtilisation,
+     true},
+    {"breaking",
+     "fraction of breaking_load",
+     "largest tension over the breaking load of its section",
+     Side::ABOVE,
+     Severity::CRITICAL,
+     {std::nullopt, 0.9, {0.0, 2.0, 0.05, true}},
+     nullptr,
+     breakingUtilisation,
+     true},
+    {"slack",
+     "N",
+     "least tension",
+     Side::BELOW,
+     Severity::ALARM,
+     {std::nullopt, std::nullopt, {1.0, 2.0, 0.0, false}},
+     nullptr,
+     minTension,
+     false},
+    {"bend_radius",
+     "m",
+     "least bend radius; its limit defaults to tether.min_bend_radius",
+     Side::BELOW,
+     Severity::ALARM,
+     {std::nullopt, std::nullopt, {0.5, 2.0, 0.0, false}},
+     bendLimit,
+     bendRadius,
+     false},
+    {"stale_input",
+     "s",
+     "age of the oldest input; its limit defaults to pose_timeout",
+     Side::ABOVE,
+     Severity::ALARM,
+     {std::nullopt, std::nullopt, {0.0, 1.0, 0.0, false}},
+     poseTimeout,
+     inputAge,
+     false},
+};
 }  // namespace
 
 const char* const OVER_TENSION = "over_tension";
 
 const std::vector<AlarmQuantity>& alarmQuantities()
 {
-  static const std::vector<AlarmQuantity> quantities{
-      {OVER_TENSION,
-       "fraction of working_load",
-       "largest tension over the working load of its section",
-       Side::ABOVE,
-       Severity::ALARM,
-       {0.8, 1.0, {0.2, 2.0, 0.05, true}},
-       nullptr,
-       workingUtilisation,
-       true},
-      {"breaking",
-       "fraction of breaking_load",
-       "largest tension over the breaking load of its section",
-       Side::ABOVE,
-       Severity::CRITICAL,
-       {std::nullopt, 0.9, {0.0, 2.0, 0.05, true}},
-       nullptr,
-       breakingUtilisation,
-       true},
-      {"slack",
-       "N",
-       "least tension",
-       Side::BELOW,
-       Severity::ALARM,
-       {std::nullopt, std::nullopt, {1.0, 2.0, 0.0, false}},
-       nullptr,
-       minTension,
-       false},
-      {"bend_radius",
-       "m",
-       "least bend radius; its limit defaults to tether.min_bend_radius",
-       Side::BELOW,
-       Severity::ALARM,
-       {std::nullopt, std::nullopt, {0.5, 2.0, 0.0, false}},
-       bendLimit,
-       bendRadius,
-       false},
-      {"stale_input",
-       "s",
-       "age of the oldest input; its limit defaults to pose_timeout",
-       Side::ABOVE,
-       Severity::ALARM,
-       {std::nullopt, std::nullopt, {0.0, 1.0, 0.0, false}},
-       poseTimeout,
-       inputAge,
-       false},
-  };
-  return quantities;
+  return QUANTITIES;
 }
 
 AlarmConfig alarmConfig(const Config& config, const AlarmQuantity& quantity)
@@ -127,9 +130,9 @@ std::vector<std::string> validateAlarms(const Config& config)
     core::BoundsCheck check("monitor.alarms." + std::string(quantity.name) + ".");
     check.notNegative("on_delay", alarm.timing.on_delay, "s");
     check.notNegative("off_delay", alarm.timing.off_delay, "s");
-    check.notNegative("deadband", alarm.timing.deadband, "in the unit of the limit");
+    check.notNegative("deadband", alarm.timing.deadband, quantity.unit);
     if (alarm.limit)
-      check.finite("limit", *alarm.limit, "the unit of the quantity");
+      check.finite("limit", *alarm.limit, quantity.unit);
     if (alarm.warning)
     {
       const bool is_above = quantity.side == Side::ABOVE;

@@ -19,8 +19,8 @@ struct AlarmValue
 /**
  * A watched quantity: its limit alarm has its name, its warning has "_warning" behind it.
  *
- * The one table of alarms: parameter loader, validation, fingerprint, alarm set, marker colours and the tables of
- * the documents follow it. A new alarm is an entry and a function here, and a test.
+ * The one table of alarms: parameter loader, validation and alarm set follow it, a test compares README.md with
+ * it. A new alarm is an entry and a function here, and a test: CONTRIBUTING.md has the recipe.
  */
 struct AlarmQuantity
 {
