@@ -7,8 +7,9 @@ import unittest
 import rospkg
 import rospy
 import rostest
-import common.old_rospy  # noqa: F401
 import yaml
+
+import common.old_rospy  # noqa: F401
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
 

@@ -9,11 +9,12 @@ import unittest
 import rospkg
 import rospy
 import rostest
-import common.old_rospy  # noqa: F401
 import yaml
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import WrenchStamped
 from tether_monitor.msg import ContactArray, TetherState
+
+import common.old_rospy  # noqa: F401
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
 WORDS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}

@@ -10,10 +10,11 @@ import rosbag
 import rospkg
 import rospy
 import rostest
-import common.old_rospy  # noqa: F401
 import yaml
 from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import String
+
+import common.old_rospy  # noqa: F401
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
 SITE = PACKAGE + "/test/ros/common/test_site.yaml"
