@@ -8,15 +8,30 @@ set(test_files
   test/core/analysis/natural_modes_test.cpp
   test/core/assembly/cable_model_test.cpp
   test/core/assembly/contact_assembly_test.cpp
+  test/core/assembly/deployed_cable_test.cpp
+  test/core/assembly/lumped_attachment_test.cpp
+  test/core/base/binary_archive_test.cpp
+  test/core/base/lane_math_test.cpp
+  test/core/base/so3_test.cpp
   test/core/bodies/rigid_body_dynamics_test.cpp
   test/core/cable/cable_layout_test.cpp
+  test/core/cable/cable_mesh_test.cpp
+  test/core/cable/end_trajectory_test.cpp
   test/core/cable/payout_test.cpp
+  test/core/cable/payout_trajectory_test.cpp
   test/core/cable/winch_drum_test.cpp
+  test/core/contact/contact_law_test.cpp
   test/core/element/axial_law_test.cpp
   test/core/element/element_equations_test.cpp
   test/core/element/hermite_shape_functions_test.cpp
   test/core/element/morison_drag_test.cpp
+  test/core/element/quadrature_test.cpp
+  test/core/element/submergence_test.cpp
   test/core/environment/airy_wave_test.cpp
+  test/core/environment/current_profile_test.cpp
+  test/core/environment/environment_model_test.cpp
+  test/core/environment/obstacle_test.cpp
+  test/core/environment/seabed_test.cpp
   test/core/linalg/block_tridiagonal_test.cpp
   test/core/solve/abarbanel_zwas_test.cpp
   test/core/solve/adaptive_stepper_test.cpp
@@ -26,33 +41,53 @@ set(test_files
   test/core/verification/closed_forms_test.cpp
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
+  test/files/csv_table_test.cpp
+  test/files/csv_writer_test.cpp
+  test/files/cubic_spline_test.cpp
+  test/files/depth_grid_file_test.cpp
   test/monitor/alarms/alarm_quantities_test.cpp
   test/monitor/alarms/alarm_set_test.cpp
   test/monitor/alarms/alarm_test.cpp
+  test/monitor/config/config_fingerprint_test.cpp
+  test/monitor/estimate/estimate_summary_test.cpp
+  test/monitor/estimate/status_test.cpp
   test/monitor/estimator/allocation_test.cpp
+  test/monitor/estimator/cloned_pointer_test.cpp
   test/monitor/estimator/estimator_snapshot_test.cpp
   test/monitor/estimator/free_vehicle_end_test.cpp
   test/monitor/estimator/input_watchdog_test.cpp
   test/monitor/estimator/observed_vehicle_end_test.cpp
   test/monitor/estimator/observed_vehicle_faults_test.cpp
-  test/monitor/estimator/payout_test.cpp
+  test/monitor/estimator/obstacle_tracker_test.cpp
+  test/monitor/estimator/payout_follower_test.cpp
   test/monitor/estimator/steady_start_test.cpp
   test/monitor/estimator/tether_estimator_test.cpp
   test/monitor/estimator/tracked_body_test.cpp
+  test/monitor/measurements/body_state_test.cpp
   test/monitor/measurements/correction_blender_test.cpp
   test/monitor/measurements/measured_vector_test.cpp
   test/monitor/measurements/measurement_history_test.cpp
   test/monitor/measurements/motion_buffer_test.cpp
+  test/monitor/measurements/payout_buffer_test.cpp
+  test/monitor/measurements/ring_buffer_test.cpp
+  test/monitor/model/model_factory_test.cpp
   test/monitor/vehicle/error_state_filter_test.cpp
+  test/monitor/vehicle/innovation_gate_test.cpp
+  test/monitor/vehicle/measurement_timing_test.cpp
   test/monitor/vehicle/vehicle_initializer_test.cpp
+  test/monitor/vessel/noise_estimator_test.cpp
+  test/monitor/vessel/position_window_test.cpp
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp
   test/params/load_config_test.cpp
+  test/params/parameter_reader_test.cpp
   test/replay/csv_replay_test.cpp
+  test/replay/recorded_measurements_test.cpp
   test/replay/recorded_motion_test.cpp
   test/replay/steady_state_run_test.cpp
   test/simulation/acoustic_navigation_test.cpp
   test/simulation/simulator_test.cpp
+  test/simulation/vehicle_autopilot_test.cpp
   test/verification/navigation_study_test.cpp
   test/verification/reference_cases_test.cpp
   test/verification/robustness_test.cpp)

@@ -228,7 +228,7 @@ std::string ParameterReader::textOrInteger(const char* key)
     return *text;
   if (const auto* number = value->get<long>())
     return std::to_string(*number);
-  addError(key, " = " + value->show() + " is not a textOrInteger");
+  addError(key, " = " + value->show() + " is neither a text nor a whole number");
   return "";
 }
 

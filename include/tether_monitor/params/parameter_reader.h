@@ -55,8 +55,8 @@ class ParameterReader
   /// Two numbers (z zero); NaN and an error if they are missing and there is no fallback.
   core::Vector3 vector2(const char* key);
   core::Vector3 vector2(const char* key, const core::Vector3& fallback);
-  /// A list of `least` to `most` numbers, or a map of x, y, z, w; the fallback if the key is missing, with a
-  /// addError if the fallback is empty.
+  /// A list of `least` to `most` numbers, or a map of x, y, z, w; the fallback if the key is missing, with an
+  /// error if the fallback is empty.
   std::vector<double> numbers(const char* key, const std::vector<double>& fallback, std::size_t least,
                               std::size_t most);
   /// Reader of the map at `key`; of an empty one if it is missing.

@@ -33,13 +33,13 @@ void add(const core::Environment& sea, BinaryWriter& to)
   const bool has_seabed = sea.seabed.has_value();
   to(has_seabed);
   if (has_seabed)
-    to(sea.seabed->normal_stiffness, sea.seabed->damping, sea.seabed->friction);
+    to(sea.seabed->depth, sea.seabed->slope, sea.seabed->normal_stiffness, sea.seabed->damping, sea.seabed->friction);
 }
 
 void add(const core::RigidBody& body, BinaryWriter& to)
 {
   to(body.mass, body.volume, body.inertia, body.drag_area, body.added_mass, body.added_inertia,
-     body.rotational_drag, body.center_of_buoyancy, body.force);
+     body.rotational_drag, body.center_of_buoyancy, body.force, body.wind_area);
 }
 
 void add(const NavigationConfig& n, BinaryWriter& to)

@@ -1,3 +1,5 @@
+#include "tether_monitor/core/assembly/cable_model.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -66,34 +68,55 @@ TEST(StepperRefuses, BadOptions)
   EXPECT_THROW(AdaptiveStepper(model, {0.05, 0.6, 10, 0, {}}), std::invalid_argument);
 }
 
-TEST(CurrentProfile, IsLinearBetweenAndConstantBeyond)
+TEST(CableModel, ServesStatesOfDifferentDeploymentsInTurn)
 {
-  const CurrentProfile profile({{10.0, {1.0, 0.0, 0.0}}, {20.0, {0.0, 2.0, 0.0}}});
-  EXPECT_EQ(profile.at(5.0), Vector3(1.0, 0.0, 0.0)) << "above the surface";
-  EXPECT_EQ(profile.at(-10.0), Vector3(1.0, 0.0, 0.0));
-  EXPECT_LT((profile.at(-15.0) - Vector3(0.5, 1.0, 0.0)).norm(), 1e-15);
-  EXPECT_EQ(profile.at(-100.0), Vector3(0.0, 2.0, 0.0));
-  EXPECT_EQ(CurrentProfile().at(-3.0), Vector3::Zero());
+  const CableModel model(towCable(), 6, Environment());
+  const auto stateOf = [](double length, double rate)
+  {
+    NodeField shape(7);
+    for (int i = 0; i <= 6; ++i)
+      shape[i] << 0.9 * length * i / 6.0, 0.1 * i * i, -50.0 - 0.4 * length * i / 6.0, 0.9, 0.01 * i, -0.4;
+    Deployment deployment;
+    deployment.payout = PayoutState{length, rate, 0.0};
+    return CableState(0.0, shape, Vector3(1.0, 0.5, 0.0), deployment);
+  };
+  const CableState states[] = {stateOf(400.0, 0.0), stateOf(450.0, 1.0)};
+  NodeField alone[2] = {NodeField(7), NodeField(7)};
+  for (int k = 0; k < 2; ++k)
+    DeployedCable(model, states[k].deployment).assemble(states[k], alone[k]);
+  ASSERT_GT((alone[0][3] - alone[1][3]).norm(), 1.0) << "precondition: they differ";
+  DeployedCable shared(model);
+  NodeField residual(7);
+  for (int round = 0; round < 3; ++round)
+    for (int k = 0; k < 2; ++k)
+    {
+      shared.update(model, states[k].deployment);
+      shared.assemble(states[k], residual);
+      for (int i = 0; i < 7; ++i)
+        EXPECT_EQ(residual[i], alone[k][i]) << "state " << k << ", node " << i << ", round " << round;
+    }
 }
 
-using Samples = std::vector<CurrentProfile::Sample>;
-
-TEST(CurrentProfile, RefusesDepthsOutOfOrderAndNumbersThatAreNone)
+TEST(CableModel, AChangedModelSharesTheTetherAndLeavesTheOldOneAlone)
 {
-  EXPECT_THROW(CurrentProfile({{10.0, Vector3::Zero()}, {10.0, Vector3::Zero()}}), std::invalid_argument);
-  EXPECT_THROW(CurrentProfile(Samples{{NAN, Vector3::Zero()}}), std::invalid_argument);
-  EXPECT_THROW(CurrentProfile(Samples{{1.0, Vector3(0.0, NAN, 0.0)}}), std::invalid_argument);
-}
-
-TEST(EndTrajectory, PassesThroughBothEndsWithTheirVelocities)
-{
-  const EndMotion from{{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}}, to{{2.0, 2.0, 2.0}, {-1.0, 0.0, 1.0}};
-  const EndTrajectory path = EndTrajectory::between(10.0, from, 10.5, to);
-  EXPECT_LT((path.position(10.0) - from.position).norm() + (path.velocity(10.0) - from.velocity).norm(), 1e-12);
-  EXPECT_LT((path.position(10.5) - to.position).norm() + (path.velocity(10.5) - to.velocity).norm(), 1e-12);
-  const double h = 1e-5;
-  EXPECT_LT(((path.velocity(10.2 + h) - path.velocity(10.2 - h)) / (2 * h) - path.acceleration(10.2)).norm(),
-            1e-6);
+  const CableModel model(towCable(), 4, Environment());
+  const CableModel in_air = model.withEnvironment(EnvironmentModel(air()));
+  EXPECT_EQ(in_air.environment().density(), 0.0);
+  EXPECT_EQ(model.environment().density(), 1025.0);
+  EXPECT_TRUE(in_air.sharesTether(model));
+  EXPECT_FALSE(in_air.isSame(model));
+  EndBodies bodies;
+  bodies.vehicle.emplace();
+  bodies.vehicle->mass = 3.0;
+  bodies.vehicle->inertia = Vector3::Ones();
+  const CableModel with_body = model.withBodies(bodies);
+  EXPECT_EQ(with_body.bodies().vehicle->mass, 3.0);
+  EXPECT_FALSE(model.bodies().vehicle);
+  EXPECT_TRUE(with_body.sharesTether(model));
+  EXPECT_TRUE(CableModel(model).isSame(model));
+  EXPECT_FALSE(CableModel(towCable(), 4, Environment()).sharesTether(model)) << "another call";
+  bodies.vehicle->mass = -1.0;
+  EXPECT_THROW(model.withBodies(bodies), std::invalid_argument);
 }
 
 }  // namespace tether_monitor::core

@@ -7,7 +7,7 @@
 
 namespace tether_monitor::core
 {
-/// AttitudeState by the vector `turn`: about its direction, by its length [rad] (exponential map).
+/// Rotation by the vector `turn`: about its direction, by its length [rad] (exponential map).
 inline Eigen::Quaterniond expSO3(const Vector3& turn)
 {
   const double angle = turn.norm();
