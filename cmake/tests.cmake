@@ -130,5 +130,5 @@ set_tests_properties(format PROPERTIES SKIP_RETURN_CODE 77)
 
 # A plain CMake project that finds the installed core library.
 add_test(NAME consumer COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/test/consumer/run ${CMAKE_CURRENT_SOURCE_DIR}
-  ${CMAKE_BINARY_DIR} ${CMAKE_BINARY_DIR}/consumer ${CMAKE_GENERATOR})
+  ${CMAKE_BINARY_DIR} ${CMAKE_GENERATOR})
 set_tests_properties(consumer PROPERTIES LABELS consumer TIMEOUT 900)
