@@ -206,7 +206,7 @@ class Tools(unittest.TestCase):
         self.assertEqual(run("tether_replay").returncode, 1)
         self.assertEqual(run("tether_replay", "--help").returncode, 0)
         self.refused(run("tether_replay", "--config", SITE, "--out", self.out), "--bag or --motion")
-        self.refused(self.replay("--bag", TANK_BAG, "--motion", "x.csv"), "excludes")
+        self.refused(self.replay("--bag", TANK_BAG, "--motion", "x.csv"), "cannot be given together")
         self.refused(self.replay("--bag", TANK_BAG, config="/nowhere.yaml"), "/nowhere.yaml")
         bad = self.file("bad.yaml", "tether: {length: 3}\n")
         self.refused(self.replay("--bag", TANK_BAG, config=bad), "bad.yaml", "tether.diameter is missing")

@@ -33,7 +33,8 @@ void add(const core::Environment& sea, BinaryWriter& to)
   const bool has_seabed = sea.seabed.has_value();
   to(has_seabed);
   if (has_seabed)
-    to(sea.seabed->depth, sea.seabed->slope, sea.seabed->normal_stiffness, sea.seabed->damping, sea.seabed->friction);
+    to(sea.seabed->depth, sea.seabed->slope, sea.seabed->normal_stiffness, sea.seabed->damping,
+       sea.seabed->friction);
 }
 
 void add(const core::RigidBody& body, BinaryWriter& to)
