@@ -20,6 +20,14 @@ inline Config testConfig()
   return c;
 }
 
+/// The same in 10 elements.
+inline Config coarseConfig()
+{
+  Config c = testConfig();
+  c.elements = 10;
+  return c;
+}
+
 /// A simulated vehicle that hangs from it.
 inline core::RigidBody smallVehicle()
 {

@@ -7,13 +7,6 @@
 
 namespace tether_monitor
 {
-monitor::Config config()
-{
-  monitor::Config c = monitor::testConfig();
-  c.elements = 10;
-  return c;
-}
-
 bool says(const std::optional<InputError>& error, const std::string& words)
 {
   return error && error->find(words) != std::string::npos;
@@ -22,7 +15,7 @@ bool says(const std::optional<InputError>& error, const std::string& words)
 class InputAdapterTest : public ::testing::Test
 {
  protected:
-  InputAdapterTest() : estimator(config()), adapter(estimator, transforms)
+  InputAdapterTest() : estimator(monitor::coarseConfig()), adapter(estimator, transforms)
   {
     adapter.setTimeBase(TimeOrigin(ros::Time(100.0)));
     geometry_msgs::TransformStamped shift;
@@ -93,7 +86,7 @@ TEST_F(InputAdapterTest, OdometryCarriesBothInItsOwnFrames)
 
 TEST_F(InputAdapterTest, OdometryKeepsItsCovariance)
 {
-  monitor::Config observed = config();
+  monitor::Config observed = monitor::coarseConfig();
   observed.vehicle_mode = monitor::VehicleMode::OBSERVED;
   observed.vehicle_body.mass = observed.vehicle_body.volume = 1.0;
   observed.vehicle_body.inertia.setOnes();
@@ -181,7 +174,7 @@ TEST_F(InputAdapterTest, ThrustDepthAndTurnsNeedWhatTheyActOn)
   EXPECT_TRUE(says(adapter.acceptDepth(number, now), "environment.seabed"));
   EXPECT_TRUE(says(adapter.acceptTurns(number, now), "winch"));
 
-  monitor::Config rich = config();
+  monitor::Config rich = monitor::coarseConfig();
   rich.environment.seabed = core::Seabed();
   rich.winch = core::WinchProperties{0.5, 0.6, 4};
   monitor::TetherEstimator other(rich);

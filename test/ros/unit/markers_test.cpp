@@ -6,16 +6,9 @@
 
 namespace tether_monitor
 {
-monitor::Config config()
-{
-  monitor::Config c = monitor::testConfig();
-  c.elements = 10;
-  return c;
-}
-
 TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
 {
-  monitor::TetherEstimator estimator(config());
+  monitor::TetherEstimator estimator(monitor::coarseConfig());
   const auto names = [](const visualization_msgs::MarkerArray& array)
   {
     std::vector<std::pair<std::string, int>> ids;

@@ -7,13 +7,6 @@
 
 namespace tether_monitor
 {
-monitor::Config config()
-{
-  monitor::Config c = monitor::testConfig();
-  c.elements = 10;
-  return c;
-}
-
 TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
 {
   monitor::TetherEstimate e;
@@ -32,7 +25,7 @@ TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
 
 TEST(StateMessage, CarriesTheEstimate)
 {
-  monitor::TetherEstimator estimator(config());
+  monitor::TetherEstimator estimator(monitor::coarseConfig());
   const monitor::TetherEstimate& e =
       estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.1, 0.2});
   ASSERT_TRUE(e.has_stations);
@@ -40,7 +33,7 @@ TEST(StateMessage, CarriesTheEstimate)
   toMessage(e, message);
   ASSERT_EQ(message.s.size(), 21u);
   EXPECT_EQ(message.position.size(), 21u);
-  const double stress = message.tension[4] / config().tether.displacedArea();
+  const double stress = message.tension[4] / monitor::coarseConfig().tether.displacedArea();
   EXPECT_NEAR(message.stress[4], stress, 1e-12 * stress);
   EXPECT_NEAR(message.vehicle_relative.z, -60.0, 1e-9);
   EXPECT_EQ(message.vehicle_age, 0.2);
