@@ -31,9 +31,7 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   in.finish();
 
   // A key that could not be read has its fault already; its bound is not worth a second one.
-  std::vector<std::string> bounds = monitor::validate(config);
-  const std::vector<std::string> of_alarms = monitor::validateAlarms(config);
-  bounds.insert(bounds.end(), of_alarms.begin(), of_alarms.end());
+  std::vector<std::string> bounds = monitor::validateWithAlarms(config);
   bounds.erase(std::remove_if(bounds.begin(), bounds.end(),
                               [](const std::string& text) { return text.find(" = nan ") != std::string::npos; }),
                bounds.end());

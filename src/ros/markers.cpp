@@ -44,12 +44,6 @@ Marker blank(const std_msgs::Header& header, const char* ns, int id, int type)
   return m;
 }
 
-double warningOf(const monitor::Config& config)
-{
-  const auto given = config.alarms.find(monitor::OVER_TENSION);
-  return given == config.alarms.end() ? 0.8 : given->second.warning.value_or(0.8);
-}
-
 Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
 {
   const monitor::Config& config = estimator.config();
@@ -61,7 +55,7 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator
     return m;
   }
   m.scale.x = std::max(config.tether.diameter, LINE_WIDTH * e.length);
-  const double warning = warningOf(config);
+  const double warning = monitor::alarmConfig(config, monitor::alarmQuantities().front()).warning.value_or(0.8);
   for (std::size_t i = 0; i < e.stations.s.size(); ++i)
   {
     m.points.push_back(pointMessage(e.stations.position[i]));

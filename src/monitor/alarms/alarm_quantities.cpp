@@ -146,4 +146,12 @@ std::vector<std::string> validateAlarms(const Config& config)
   return all;
 }
 
+std::vector<std::string> validateWithAlarms(const Config& config)
+{
+  std::vector<std::string> all = validate(config);
+  const std::vector<std::string> of_alarms = validateAlarms(config);
+  all.insert(all.end(), of_alarms.begin(), of_alarms.end());
+  return all;
+}
+
 }  // namespace tether_monitor::monitor

@@ -7,11 +7,6 @@ namespace
 constexpr double INITIAL_POSITION_STDDEV = 0.1;  // of a motion that is given [m]
 constexpr double INITIAL_VELOCITY_STDDEV = 0.2;  // likewise [m/s]
 
-// Good, if only for a filter that puts late ones in their place.
-bool hasPlace(Rejection rejection)
-{
-  return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
-}
 }  // namespace
 
 Eigen::Quaterniond FilteredVesselEnd::orientationOf(const PoseMeasurement* pose) const
@@ -39,13 +34,13 @@ Rejection FilteredVesselEnd::check(const PoseMeasurement* pose, const TwistMeasu
   Rejection rejection = Rejection::NONE;
   if (pose)
     rejection = track_.checkPose(pose->t, pose->position.value(), orientationOf(pose));
-  if (pose && hasPlace(rejection))
+  if (pose && canBeReordered(rejection))
     rejection = filter_.checkPosition(pose->t, attachmentPosition(*pose));
-  if (hasPlace(rejection) && twist)
+  if (canBeReordered(rejection) && twist)
     rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
-  if (twist && hasPlace(rejection))
+  if (twist && canBeReordered(rejection))
     rejection = filter_.checkVelocity(twist->t, attachmentVelocity(*twist, orientationOf(pose)));
-  return hasPlace(rejection) ? Rejection::NONE : rejection;
+  return canBeReordered(rejection) ? Rejection::NONE : rejection;
 }
 
 Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasurement* twist)

@@ -8,12 +8,6 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-// Good, if only for a history that puts late ones in their place.
-bool hasPlace(Rejection rejection)
-{
-  return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
-}
-
 double largestTensionStddev(const TetherEstimate& e)
 {
   return std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev);
@@ -48,13 +42,13 @@ Rejection ObservedVehicleEnd::check(const PoseMeasurement* pose, const TwistMeas
   if (pose)
     rejection =
         track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
-  if (pose && hasPlace(rejection) && !pose->position.isEmpty())
+  if (pose && canBeReordered(rejection) && !pose->position.isEmpty())
     rejection = observer_.check(positionFix(*pose));
-  if (hasPlace(rejection) && twist)
+  if (canBeReordered(rejection) && twist)
     rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
-  if (twist && hasPlace(rejection) && !twist->velocity.isEmpty())
+  if (twist && canBeReordered(rejection) && !twist->velocity.isEmpty())
     rejection = observer_.check(velocityFix(*twist));
-  return hasPlace(rejection) ? Rejection::NONE : rejection;
+  return canBeReordered(rejection) ? Rejection::NONE : rejection;
 }
 
 Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasurement* twist)

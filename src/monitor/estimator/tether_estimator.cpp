@@ -9,10 +9,7 @@ namespace
 {
 const Config& checked(const Config& config)
 {
-  std::vector<std::string> problems = validate(config);
-  const std::vector<std::string> of_alarms = validateAlarms(config);
-  problems.insert(problems.end(), of_alarms.begin(), of_alarms.end());
-  core::throwIfInvalid("configuration of the monitor", problems);
+  core::throwIfInvalid("configuration of the monitor", validateWithAlarms(config));
   return config;
 }
 }  // namespace

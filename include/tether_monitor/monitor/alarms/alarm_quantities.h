@@ -49,4 +49,7 @@ AlarmConfig& alarmConfig(Config& config, const std::string& name);
 /// Every bound of the alarms that `config` violates, one sentence each, named as in the parameter tree.
 std::vector<std::string> validateAlarms(const Config& config);
 
+/// What validate(config) finds, and then what validateAlarms() finds.
+std::vector<std::string> validateWithAlarms(const Config& config);
+
 }  // namespace tether_monitor::monitor

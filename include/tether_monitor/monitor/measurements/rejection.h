@@ -15,6 +15,12 @@ enum class Rejection
   FROZEN           ///< the same to the last digit as those before: a frozen sensor.
 };
 
+/// True for what is good, if only for a filter that puts late measurements in their place.
+constexpr bool canBeReordered(Rejection rejection)
+{
+  return rejection == Rejection::NONE || rejection == Rejection::OUT_OF_ORDER;
+}
+
 /// A sentence about a Rejection.
 const char* describe(Rejection rejection);
 
