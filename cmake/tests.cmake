@@ -31,7 +31,10 @@ set(test_files
   test/core/environment/current_profile_test.cpp
   test/core/environment/environment_model_test.cpp
   test/core/environment/obstacle_test.cpp
+  test/core/environment/sea_state_test.cpp
   test/core/environment/seabed_test.cpp
+  test/core/environment/wave_field_test.cpp
+  test/core/environment/wave_spectrum_test.cpp
   test/core/linalg/block_tridiagonal_test.cpp
   test/core/solve/abarbanel_zwas_test.cpp
   test/core/solve/adaptive_stepper_test.cpp
@@ -41,6 +44,7 @@ set(test_files
   test/core/verification/closed_forms_test.cpp
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
+  test/core/verification/waves_test.cpp
   test/files/csv_table_test.cpp
   test/files/csv_writer_test.cpp
   test/files/cubic_spline_test.cpp
@@ -80,6 +84,7 @@ set(test_files
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp
   test/params/load_config_test.cpp
+  test/params/load_waves_test.cpp
   test/params/parameter_reader_test.cpp
   test/replay/csv_replay_test.cpp
   test/replay/recorded_measurements_test.cpp

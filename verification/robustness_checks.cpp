@@ -53,9 +53,11 @@ core::Environment randomSea(RandomSource& dice)
     sea.current = core::CurrentProfile({{0.0, dice.direction()}, {50.0, dice.direction()}});
   if (dice.chance(0.3))
   {
-    sea.waves.length = dice.scale(10.0, 500.0);
-    sea.waves.amplitude = sea.waves.length * dice.uniform(0.0, 1.0 / 15.0);
-    sea.waves.direction = dice.uniform(-3.0, 3.0);
+    core::WaveProperties wave;
+    wave.length = dice.scale(10.0, 500.0);
+    wave.amplitude = wave.length * dice.uniform(0.0, 1.0 / 15.0);
+    wave.direction = dice.uniform(-3.0, 3.0);
+    sea.waves.components = {wave};
   }
   if (dice.chance(0.3))
     sea.wind = dice.uniform(0.0, 40.0) * dice.direction();

@@ -98,7 +98,7 @@ int findSteadyState(const Arguments& arguments)
     checkPlace(config, "vehicle", vehicle + config.vehicle.attachment);
   files::makeFolder(arguments.out);
 
-  if (config.environment.waves.amplitude > 0.0 && !arguments.quiet)
+  if (!config.environment.waves.isCalm() && !arguments.quiet)
     std::cout << "notice: waves are left out of a steady state\n";
 
   const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity, arguments.modes);

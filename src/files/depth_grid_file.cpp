@@ -49,7 +49,8 @@ core::DepthGrid readDepthGrid(const std::string& path)
   const CsvTable table = readCsv(path);
   for (const std::string& column : table.columns)
     if (column != "x" && column != "y" && column != "depth")
-      throw std::runtime_error(path + ": column " + column + " is not known (x, y and depth are)");
+      throw std::runtime_error(
+          std::string(path).append(": column ").append(column).append(" is not known (x, y and depth are)"));
   const auto x = table.find("x"), y = table.find("y"), depth = table.find("depth");
   if (!x || !y || !depth)
     throw std::runtime_error(path + ": the columns x, y and depth are required");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "tether_monitor/files/depth_grid_file.h"
+#include "tether_monitor/params/load_waves.h"
 #include "tether_monitor/params/yaml_file.h"
 
 namespace tether_monitor::params
@@ -22,17 +23,6 @@ core::CurrentProfile loadCurrent(ParameterReader& in)
     fault = "environment." + fault;
   in.addErrors(faults);
   return faults.empty() ? core::CurrentProfile(samples) : core::CurrentProfile();
-}
-
-core::WaveProperties loadWaves(ParameterReader in)
-{
-  core::WaveProperties waves;
-  waves.amplitude = in.number("amplitude", waves.amplitude);
-  waves.length = in.number("length", waves.length);
-  waves.direction = in.number("direction", waves.direction);
-  waves.phase = in.number("phase", waves.phase);
-  in.finish();
-  return waves;
 }
 
 core::Seabed loadSeabed(ParameterReader in, const std::string& folder)
@@ -102,7 +92,7 @@ core::Environment loadEnvironment(ParameterReader in, const std::string& folder)
   sea.water_density = in.number("water_density", sea.water_density);
   sea.gravity = in.number("gravity", sea.gravity);
   sea.current = loadCurrent(in);
-  sea.waves = loadWaves(in.child("waves"));
+  sea.waves = loadWaves(in);
   sea.wind = in.vector("wind", sea.wind);
   if (in.has("seabed"))
     sea.seabed = loadSeabed(in.child("seabed"), folder);

@@ -19,6 +19,9 @@ void loadProperties(ParameterReader& in, const core::CableProperties* base, core
   required("drag_normal", &core::CableProperties::drag_normal);
   required("drag_tangential", &core::CableProperties::drag_tangential);
   p.added_mass_normal = in.number("added_mass_normal", p.added_mass_normal);
+  p.added_mass_tangential = in.number("added_mass_tangential", p.added_mass_tangential);
+  if (in.has("contact_diameter"))
+    p.contact_diameter = in.optionalNumber("contact_diameter");
   if (in.has("load_area"))
     p.load_area = in.optionalNumber("load_area");
   required("working_load", &core::CableProperties::working_load);

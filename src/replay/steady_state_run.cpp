@@ -8,7 +8,7 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
                             const core::Vector3& vehicle, const core::Vector3& velocity, int modes)
 {
   monitor::Config calm = config;
-  calm.environment.waves.amplitude = 0.0;
+  calm.environment.waves = core::SeaState();
   if (calm.vehicle_mode == monitor::VehicleMode::OBSERVED)
     calm.vehicle_mode = monitor::VehicleMode::TRACKED;
   monitor::TetherEstimator estimator(calm);

@@ -111,8 +111,9 @@ TEST(LoadConfig, ReadsTheWholeSea)
                        {"wind", Value::List{3.0, 0.0, 0.0}},
                        {"obstacles", Value::List{Value(pipe), Value(ball)}}};
   const monitor::Config c = loadConfig(tree(tetherKeys(), {{"environment", Value(sea)}}), "/test");
-  EXPECT_EQ(c.environment.waves.amplitude, 1.5);
-  EXPECT_EQ(c.environment.waves.direction, 0.3);
+  ASSERT_EQ(c.environment.waves.components.size(), 1u);
+  EXPECT_EQ(c.environment.waves.components[0].amplitude, 1.5);
+  EXPECT_EQ(c.environment.waves.components[0].direction, 0.3);
   ASSERT_TRUE(c.environment.seabed);
   EXPECT_EQ(c.environment.seabed->slope.y(), 0.02);
   EXPECT_EQ(c.environment.seabed->normal_stiffness, 3.0e5) << "default";

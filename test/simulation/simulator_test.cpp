@@ -24,7 +24,7 @@ double yaw(const Eigen::Quaterniond& q)
 TEST(Ship, FloatsAtItsDraftAndRightsItself)
 {
   ScenarioFile scenario("heave_in_waves");
-  scenario.config.environment.waves.amplitude = 0.0;
+  scenario.config.environment.waves = core::SeaState();
   scenario.config.environment.wind.setZero();
   Simulator simulator(scenario.config, scenario.simulation);
   ASSERT_TRUE(simulator.advance(60.0));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <random>
 
 #include "tether_monitor/core/assembly/station_profile.h"
@@ -41,11 +43,13 @@ struct RandomElement
     const double L = uniform(0.5, 20.0);
     p.length = L;
     p.diameter = uniform(0.005, 0.1);
+    p.contact_diameter = p.diameter;
     p.mass = uniform(0.05, 5.0);
     p.area = 0.785 * p.diameter * p.diameter;
     p.drag_normal = uniform(0.5, 2.0);
     p.drag_tangential = uniform(0.0, 0.2);
     p.added_mass = uniform(0.0, 1.5);
+    p.added_mass_tangential = 0.3 * p.added_mass;
     const double EA = std::pow(10.0, uniform(3.0, 8.0));
     p.axial = {EA, uniform(0.0, 0.01), EA * uniform(1e-3, 1e-2), 1e-5};  // wide enough for differences
     p.bending_stiffness = uniform(0.0, 100.0);
@@ -76,6 +80,22 @@ inline EndForces steadyForces(const CableModel& model, const SteadyEnds& ends)
   if (!statics.solve(model, ends, shape).converged())
     return {Vector3::Constant(NAN), Vector3::Constant(NAN)};
   return endForces(model, CableState(0.0, shape, ends.velocity));
+}
+
+/// A steady shape; fails the calling test if there is none.
+inline NodeField steadyShape(const CableModel& model, const SteadyEnds& ends)
+{
+  SteadyStateSolver statics(model.nodes());
+  NodeField shape;
+  EXPECT_TRUE(statics.solve(model, ends, shape).converged());
+  return shape;
+}
+
+/// Both ends held where a state has them.
+inline BoundaryConditions heldAt(const CableState& state)
+{
+  return {EndTrajectory::uniform(state.time, {state.q.front().head<3>(), Vector3::Zero()}),
+          EndTrajectory::uniform(state.time, {state.q.back().head<3>(), Vector3::Zero()})};
 }
 
 }  // namespace tether_monitor::core

@@ -35,7 +35,7 @@ Proximity proximity(const ContactScene& scene, int i)
 {
   const Vector3 a = scene.state.q[i].head<3>(), b = scene.state.q[i + 1].head<3>();
   const Vector3 middle = 0.5 * (a + b);
-  const double reach = std::max(scene.elements[i].length, (b - a).norm()) + scene.elements[i].diameter;
+  const double reach = std::max(scene.elements[i].length, (b - a).norm()) + scene.elements[i].contact_diameter;
   Proximity near{false, false};
   if (scene.environment.hasSeabed())
   {

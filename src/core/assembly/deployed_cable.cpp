@@ -15,11 +15,13 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   ElementParameters e;
   e.length = length;
   e.diameter = p.diameter;
+  e.contact_diameter = p.contact_diameter.value_or(p.diameter);
   e.mass = p.mass_per_length;
   e.area = p.displacedArea();
   e.drag_normal = p.drag_normal;
   e.drag_tangential = p.drag_tangential;
   e.added_mass = p.added_mass_normal;
+  e.added_mass_tangential = p.added_mass_tangential;
   e.compression = p.hydrostatic_compression;
   e.natural_stretch = 1.0 + p.permanent_elongation;
   e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.compression_stiffness_ratio};

@@ -64,6 +64,7 @@ void ElementAssembler::set(int i, const ElementParameters& p)
     put(DRAG_NORMAL, p.drag_normal);
     put(DRAG_TANGENTIAL, p.drag_tangential);
     put(ADDED_MASS, p.added_mass);
+    put(ADDED_MASS_TANGENTIAL, p.added_mass_tangential);
     put(AXIAL_STIFFNESS, p.axial.stiffness);
     put(AXIAL_VISCOSITY, p.axial.damping * p.axial.stiffness);
     put(COMPRESSION_LIMIT, p.axial.compression_limit);

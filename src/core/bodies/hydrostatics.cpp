@@ -52,10 +52,8 @@ Hydrostatics hullHydrostatics(const Hull& hull, const EnvironmentModel& environm
       const Vector3 foot = hull.keel + Vector3(((i + 0.5) / COLUMNS_ALONG - 0.5) * hull.size.x(),
                                                ((j + 0.5) / COLUMNS_ACROSS - 0.5) * hull.size.y(), 0.0);
       const Vector3 below = R * foot;
-      const double surface = environment.wave().isCalm()
-                                 ? 0.0
-                                 : environment.wave().elevation(centre.x() + below.x() + origin.x(),
-                                                                centre.y() + below.y() + origin.y(), t);
+      const double surface = environment.waves().elevation(centre.x() + below.x() + origin.x(),
+                                                           centre.y() + below.y() + origin.y(), t);
       const double depth = surface - (centre.z() + below.z());
       const double wet = std::clamp(depth, 0.0, hull.size.z());
       if (wet > 0.0)

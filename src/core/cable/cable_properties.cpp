@@ -28,11 +28,14 @@ std::vector<std::string> validate(const CableProperties& p)
   check.notNegative("drag_normal", p.drag_normal, "[-]");
   check.notNegative("drag_tangential", p.drag_tangential, "[-]");
   check.notNegative("added_mass_normal", p.added_mass_normal, "[-]");
+  check.notNegative("added_mass_tangential", p.added_mass_tangential, "[-]");
   check.within("hydrostatic_compression", p.hydrostatic_compression, 0.0, 1e-3, "1/m");
   check.within("permanent_elongation", p.permanent_elongation, 0.0, 0.5, "m/m");
   check.check(std::isfinite(p.working_load) && p.working_load > 0.0 && !(p.working_load > p.breaking_load),
               "working_load", p.working_load, "> 0 N and <= breaking_load");
   check.positive("breaking_load", p.breaking_load, "N");
+  if (p.contact_diameter)
+    check.positive("contact_diameter", *p.contact_diameter, "m");
   if (p.load_area)
     check.positive("load_area", *p.load_area, "m^2");
   if (p.min_bend_radius)

@@ -1,15 +1,19 @@
 #include "tether_monitor/core/environment/airy_wave.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "tether_monitor/core/base/bounds_check.h"
 
 namespace tether_monitor::core
 {
-std::vector<std::string> validate(const WaveProperties& waves)
+namespace
 {
-  BoundsCheck check("environment.waves.");
+constexpr double NO_MOTION = -40.0;  // k z below which nothing is left, exp(-40)
+}
+
+std::vector<std::string> validate(const WaveProperties& waves, const std::string& prefix)
+{
+  BoundsCheck check(prefix);
   check.notNegative("amplitude", waves.amplitude, "m");
   check.positive("length", waves.length, "m");
   check.check(!(2.0 * waves.amplitude > waves.length / 7.0), "amplitude", waves.amplitude,
@@ -33,6 +37,7 @@ AiryWave::AiryWave(const WaveProperties& waves, double gravity, double depth)
   direction_ = Vector3(std::cos(waves.direction), std::sin(waves.direction), 0.0);
   k_ = wavenumber_ * direction_;
   frequency_ = std::sqrt(gravity * wavenumber_ * std::tanh(wavenumber_ * depth));  // (M21)
+  speed_ = amplitude_ * frequency_ / (1.0 - std::exp(-2.0 * wavenumber_ * depth));
 }
 
 void AiryWave::setTimeOrigin(double epoch)
@@ -46,31 +51,15 @@ double AiryWave::encounterFrequency(const Vector3& V) const
   return std::abs(frequency_ - k_.dot(V));
 }
 
-double AiryWave::elevation(double x, double y, double t) const
+AiryWave::Profile AiryWave::profile(double z) const
 {
-  return amplitude_ * std::cos(k_.x() * x + k_.y() * y - frequency_ * t + phase_);
-}
-
-WaveMotion AiryWave::at(const Vector3& point, double t) const
-{
-  const double angle = k_.x() * point.x() + k_.y() * point.y() - frequency_ * t + phase_;
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  WaveMotion motion;
-  motion.elevation = amplitude_ * cosine;
-  double z = std::min(point.z(), motion.elevation) - motion.elevation;
-  double mirror = 0.0, floor = 0.0;
-  if (std::isfinite(depth_))
-  {
-    z = std::max(z / (1.0 + motion.elevation / depth_), -depth_);
-    mirror = std::exp(-wavenumber_ * (z + 2.0 * depth_));
-    floor = std::exp(-2.0 * wavenumber_ * depth_);
-  }
-  const double deep = std::exp(wavenumber_ * z);
-  const double along = amplitude_ * frequency_ * (deep + mirror) / (1.0 - floor);
-  const double up = amplitude_ * frequency_ * (deep - mirror) / (1.0 - floor);
-  motion.velocity = along * cosine * direction_ + up * sine * Vector3::UnitZ();
-  motion.acceleration = frequency_ * (along * sine * direction_ - up * cosine * Vector3::UnitZ());
-  return motion;
+  const double kz = wavenumber_ * z;
+  if (kz < NO_MOTION)
+    return {0.0, 0.0};
+  const double deep = std::exp(kz);
+  // cosh and sinh of k (z + h) over sinh(k h), written so that deep water does not overflow.
+  const double mirror = std::isfinite(depth_) ? std::exp(-kz - 2.0 * wavenumber_ * depth_) : 0.0;
+  return {speed_ * (deep + mirror), speed_ * (deep - mirror)};
 }
 
 }  // namespace tether_monitor::core

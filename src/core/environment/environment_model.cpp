@@ -14,19 +14,17 @@ const Environment& checked(const Environment& environment)
   return environment;
 }
 
-AiryWave waveOf(const Environment& environment, double time_origin)
+WaveField wavesOf(const Environment& environment, double time_origin)
 {
-  if (environment.waves.amplitude == 0.0)
-    return AiryWave();
-  AiryWave wave(environment.waves, environment.gravity,
-                environment.seabed ? environment.seabed->meanDepth() : AiryWave::DEEP);
-  wave.setTimeOrigin(time_origin);
-  return wave;
+  if (environment.waves.isCalm())
+    return WaveField();
+  return WaveField(environment.waves, environment.gravity,
+                   environment.seabed ? environment.seabed->meanDepth() : AiryWave::DEEP, time_origin);
 }
 }  // namespace
 
 EnvironmentModel::EnvironmentModel(const Environment& environment)
-  : environment_(checked(environment)), wave_(waveOf(environment, 0.0)), has_wind_(environment.wind.norm() > 0.0)
+  : environment_(checked(environment)), waves_(wavesOf(environment, 0.0)), has_wind_(environment.wind.norm() > 0.0)
 {
 }
 
@@ -41,14 +39,14 @@ EnvironmentModel EnvironmentModel::withTimeOrigin(double epoch) const
 {
   EnvironmentModel changed = *this;
   changed.time_origin_ = epoch;
-  changed.wave_ = waveOf(environment_, epoch);
+  changed.waves_ = wavesOf(environment_, epoch);
   return changed;
 }
 
 EnvironmentModel EnvironmentModel::withoutWaves() const
 {
   EnvironmentModel changed = *this;
-  changed.wave_ = AiryWave();
+  changed.waves_ = WaveField();
   return changed;
 }
 
@@ -72,14 +70,14 @@ EnvironmentModel EnvironmentModel::withDepth(double depth) const
   changed.environment_.seabed->depth = depth;
   changed.environment_.seabed->grid.reset();
   changed.environment_.seabed->slope.setZero();
-  if (!wave_.isCalm())
-    changed.wave_ = waveOf(changed.environment_, time_origin_);
+  if (!waves_.isCalm())
+    changed.waves_ = wavesOf(changed.environment_, time_origin_);
   return changed;
 }
 
 void EnvironmentModel::addWave(const Vector3& point, double t, WaterKinematics& water) const
 {
-  const WaveMotion motion = wave_.at(point + origin_, t);
+  const WaveMotion motion = waves_.at(point + origin_, t);
   water.velocity += motion.velocity;
   water.acceleration = motion.acceleration;
   water.surface = motion.elevation;

@@ -44,8 +44,8 @@ template <class V, EvaluationMode MODE>
 TM_INLINE void setFlowTangent(const ElementBlock& in, const MorisonDrag<V>& drag, const AddedMassForce<V>& m,
                               const IntegrationPoint<V>& p, PointTangent<V, MODE>& out)
 {
-  const V alpha = p.weight * (in.damping * drag.alpha + in.mass * m.added);
-  const V beta = p.weight * (in.damping * drag.beta - in.mass * m.added * p.inverse_square);
+  const V alpha = p.weight * (in.damping * drag.alpha + in.mass * m.normal);
+  const V beta = p.weight * (in.damping * drag.beta + in.mass * m.excess * p.inverse_square);
   const V gamma = p.weight * in.damping * drag.gamma;
 #pragma GCC unroll 3
   for (int row = 0; row < 3; ++row)

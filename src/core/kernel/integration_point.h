@@ -22,7 +22,7 @@ struct ElementConstants
   V length, inverse_length, mass, diameter;
   AxialCoefficients<V> axial;
   V viscosity, inverse_natural;  // tau EA [N s], 1 / lambda_0
-  V half_rho_d, rho_area, drag_normal, drag_tangential, added_mass, compression;
+  V half_rho_d, rho_area, drag_normal, drag_tangential, added_mass, added_mass_tangential, compression;
 };
 
 template <int W>
@@ -49,6 +49,7 @@ TM_INLINE ElementConstants<typename Simd<W>::Vector> elementConstants(const Elem
   e.drag_normal = constant<W>(in, first, DRAG_NORMAL);
   e.drag_tangential = constant<W>(in, first, DRAG_TANGENTIAL);
   e.added_mass = constant<W>(in, first, ADDED_MASS);
+  e.added_mass_tangential = constant<W>(in, first, ADDED_MASS_TANGENTIAL);
   e.compression = constant<W>(in, first, COMPRESSION);
   return e;
 }

@@ -53,11 +53,15 @@ TM_INLINE WaterAtPoint<V> waterAtPoint(int g, const ElementBlock& in, int first,
   return water;
 }
 
-// Weight and buoyancy (M8).
+// Weight, and what the pressure of the water around exerts (M8), (M10): against gravity and with the water's
+// acceleration.
 template <class V>
 TM_INLINE void addWeightAndBuoyancy(const ElementBlock& in, const ElementConstants<V>& e,
                                     const WaterAtPoint<V>& water, IntegrationPoint<V>& p)
 {
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k)
+    p.f[k] -= water.submerged_mass * water.acceleration[k];
   p.f[2] += in.around->gravity * (e.mass - water.submerged_mass);
 }
 
@@ -66,7 +70,7 @@ TM_INLINE void addBuoyancyTangent(const ElementBlock& in, const WaterAtPoint<V>&
                                   const IntegrationPoint<V>& p, PointTangent<V, MODE>& out)
 {
   out.f_r[packedIndex3(2, 2)] +=
-      p.weight * in.stiffness * in.around->gravity * water.displaced_mass *
+      p.weight * in.stiffness * (in.around->gravity + water.acceleration[2]) * water.displaced_mass *
       (water.submergence.slope - water.displaced_mass_rate * water.submergence.fraction);
 }
 }  // namespace tether_monitor::core::kernel

@@ -63,9 +63,9 @@ double AbarbanelZwas::stableStep(const DeployedCable& cable)
     const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
     const double axial = stretch * AXIAL_SHARE * e.axial.stiffness / (e.mass * l2);
     const double bending = BENDING_SHARE * e.bending_stiffness / (e.mass * l2 * l2);
-    const double contact = MASS_SHARE * touch * e.diameter / e.mass;
+    const double contact = MASS_SHARE * touch * e.contact_diameter / e.mass;
     const double w = std::sqrt(axial + bending + contact);
-    const double damping = 0.5 * (e.axial.damping * axial + MASS_SHARE * brake * e.diameter / e.mass) / w;
+    const double damping = 0.5 * (e.axial.damping * axial + MASS_SHARE * brake * e.contact_diameter / e.mass) / w;
     const double h = limit * std::sqrt(AXIAL_SHARE) / w;
     smallest = std::min(smallest, h * (std::hypot(1.0, damping) - damping));
   }

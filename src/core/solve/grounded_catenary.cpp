@@ -184,7 +184,7 @@ NodeField catenaryOnLevel(const DeployedCable& cable, const Vector3& vessel, con
 
 NodeField groundedCatenary(const DeployedCable& cable, const Vector3& vessel, const Vector3& vehicle)
 {
-  const double radius = 0.5 * cable.element(0).diameter;
+  const double radius = 0.5 * cable.element(0).contact_diameter;
   return catenaryOnLevel(cable, vessel, vehicle, 1.0, Vector3::Zero(),
                          [&](const Vector3& p) { return cable.environment().floorAt(p).z + radius; });
 }

@@ -61,14 +61,14 @@ NodeField floatingStart(const DeployedCable& cable, const SteadyEnds& ends, doub
 NodeField freeShape(const DeployedCable& cable, const SteadyEnds& ends)
 {
   const bool hangs = cable.bodies().vehicle.has_value();
-  const NodeField shape = hangs ? hangingBodyGuess(cable, ends.vessel, ends.velocity, *cable.bodies().vehicle)
-                                : catenaryGuess(cable, ends.vessel, ends.vehicle, ends.velocity);
+  NodeField shape = hangs ? hangingBodyGuess(cable, ends.vessel, ends.velocity, *cable.bodies().vehicle)
+                          : catenaryGuess(cable, ends.vessel, ends.vehicle, ends.velocity);
   const std::optional<double> afloat = floatingHeight(cable);
   const bool rises = afloat && (hangs ? heldDown(cable, ends) < 0.95 * cable.length()
                                       : risesAbove(*afloat + cable.element(0).diameter, shape));
   if (rises)
   {
-    const NodeField floating = floatingStart(cable, ends, *afloat);
+    NodeField floating = floatingStart(cable, ends, *afloat);
     return floating.empty() ? shape : floating;
   }
   if (!cable.environment().hasSeabed() || !dipsBelowFloor(cable, shape))
@@ -88,7 +88,7 @@ void projectOutOfObstacles(const DeployedCable& cable, NodeField& shape)
       {
         const SignedDistance gap =
             signedDistance(obstacle, shape[i].head<3>() - (obstacle.position - cable.environment().origin()));
-        const double inside = 0.5 * cable.element(i).diameter - gap.distance;
+        const double inside = 0.5 * cable.element(i).contact_diameter - gap.distance;
         if (inside > 0.0)
           shape[i].head<3>() += inside * gap.normal;
       }

@@ -141,7 +141,7 @@ SolveReport SteadyStateSolver::searchByObstacleStiffness(const CableModel& model
 
 SolveReport SteadyStateSolver::solve(const CableModel& model, const SteadyEnds& ends, NodeField& shape)
 {
-  if (!model.environment().wave().isCalm())
+  if (!model.environment().waves().isCalm())
     return solve(model.withEnvironment(model.environment().withoutWaves()), ends, shape);
   Search search(model, ends);
   NodeField found = firstGuess(search.cable, ends);

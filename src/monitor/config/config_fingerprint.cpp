@@ -11,8 +11,9 @@ using core::BinaryWriter;
 void add(const core::CableProperties& p, BinaryWriter& to)
 {
   to(p.length, p.diameter, p.mass_per_length, p.axial_stiffness, p.bending_stiffness, p.axial_damping,
-     p.drag_normal, p.drag_tangential, p.added_mass_normal, p.hydrostatic_compression, p.permanent_elongation,
-     p.working_load, p.breaking_load, p.load_area, p.min_bend_radius);
+     p.drag_normal, p.drag_tangential, p.added_mass_normal, p.added_mass_tangential, p.contact_diameter,
+     p.hydrostatic_compression, p.permanent_elongation, p.working_load, p.breaking_load, p.load_area,
+     p.min_bend_radius);
 }
 
 void add(const core::CableLayout& layout, BinaryWriter& to)
@@ -26,10 +27,19 @@ void add(const core::CableLayout& layout, BinaryWriter& to)
     to(a.s, a.mass, a.volume, a.drag_area);
 }
 
+void add(const core::SeaState& waves, BinaryWriter& to)
+{
+  to(waves.stretching, waves.spectrum.has_value());
+  for (const core::WaveProperties& wave : waves.components)
+    to(wave.amplitude, wave.length, wave.direction, wave.phase);
+  if (const auto& s = waves.spectrum)
+    to(s->significant_height, s->peak_period, s->gamma, s->direction, s->spreading, s->seed, s->components);
+}
+
 void add(const core::Environment& sea, BinaryWriter& to)
 {
-  const core::WaveProperties& waves = sea.waves;
-  to(sea.water_density, sea.gravity, waves.amplitude, waves.length, waves.direction, waves.phase, sea.wind);
+  to(sea.water_density, sea.gravity, sea.wind);
+  add(sea.waves, to);
   const bool has_seabed = sea.seabed.has_value();
   to(has_seabed);
   if (has_seabed)

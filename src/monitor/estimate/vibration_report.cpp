@@ -17,7 +17,7 @@ VibrationReport reportVibration(const core::CableModel& model, const core::Cable
   report.modes = core::naturalModes(model, state, modes);
   for (core::Mode& mode : report.modes)
     mode.shape.clear();
-  const core::AiryWave& wave = model.environment().wave();
+  const core::AiryWave& wave = model.environment().waves().dominant();
   if (wave.isCalm())
     return report;
   report.encounter_frequency = wave.encounterFrequency(state.v.front().head<3>()) / (2.0 * M_PI);

@@ -50,7 +50,7 @@ bool EstimationCycle::setDepth(double depth)
 
 std::vector<std::string> EstimationCycle::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
 {
-  const std::vector<std::string> faults = obstacles_.set(t, obstacles, isRunning(), simulation_, *vehicle_);
+  std::vector<std::string> faults = obstacles_.set(t, obstacles, isRunning(), simulation_, *vehicle_);
   if (faults.empty())
     estimate_.contact.obstacles.resize(obstacles.size());
   return faults;

@@ -28,7 +28,7 @@ bool areSameThings(const std::vector<core::Obstacle>& a, const std::vector<core:
 std::vector<std::string> ObstacleTracker::set(double t, const std::vector<core::Obstacle>& obstacles, bool running,
                                               CableSimulation& simulation, VehicleEnd& vehicle)
 {
-  const std::vector<std::string> faults = problems(obstacles);
+  std::vector<std::string> faults = problems(obstacles);
   if (!faults.empty())
     return faults;
   std::vector<core::Obstacle> now = obstacles;

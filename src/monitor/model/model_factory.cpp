@@ -62,7 +62,7 @@ bool isStateOf(const core::CableState& state, const core::CableModel& model)
 
 core::CableModel makeModel(const Config& config)
 {
-  const core::CableModel model(config.tether, config.elements, config.environment, config.layout);
+  core::CableModel model(config.tether, config.elements, config.environment, config.layout);
   if (config.vehicle_mode != VehicleMode::TRACKED)
   {
     core::RigidBody body = config.vehicle_body;

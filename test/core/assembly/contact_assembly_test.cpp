@@ -140,6 +140,21 @@ TEST(Seabed, ALaidTetherDoesNotCreep)
   EXPECT_NEAR(summary.seabed_length, 60.0, 0.5);
 }
 
+TEST(Seabed, ATetherLiesOnItsContactDiameter)
+{
+  Environment sea;
+  sea.seabed = Seabed();
+  sea.seabed->depth = 50.0;
+  CableProperties armoured = rope(60.0);
+  armoured.contact_diameter = 0.3;
+  SteadyEnds ends;
+  ends.vessel = {0.0, 0.0, -49.85};
+  ends.vehicle = {59.9, 0.0, -49.85};
+  const NodeField shape = steadyShape(CableModel(armoured, 30, sea), ends);
+  // Its weight over the stiffness of the floor is far less than a centimetre.
+  EXPECT_NEAR(shape[15].z(), -50.0 + 0.15, 0.01);
+}
+
 TEST(Seabed, WithoutFrictionItRollsDownTheSlope)
 {
   Environment sea;

@@ -11,13 +11,13 @@ namespace tether_monitor::core
 TEST(LumpedAttachment, AWavePushesItWithItsDragAndItsAcceleration)
 {
   Environment waves;
-  waves.waves = {1.0, 60.0, 0.0, 0.0};
+  waves.waves.components = {{1.0, 60.0, 0.0, 0.0}};
   const EnvironmentModel sea(waves);
   const LumpedAttachment load{0, 20.0, 0.05, 0.3};
   const Vector3 place(3.0, 0.0, -4.0);
   for (const double t : {0.3, 1.9, 3.1})
   {
-    const WaveMotion water = sea.wave().at(place, t);
+    const WaveMotion water = sea.waves().at(place, t);
     const Vector3 needed = lumpedAttachmentResidual(load, sea, t, {place, Vector3::Zero(), Vector3::Zero()});
     const Vector3 push =
         0.5 * 1025.0 * 0.3 * water.velocity.norm() * water.velocity + 1025.0 * 0.05 * water.acceleration;

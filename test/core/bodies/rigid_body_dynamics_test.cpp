@@ -263,7 +263,7 @@ TEST(FreeBody, AHullFloatsAtItsDraftAndFollowsLongWaves)
   ASSERT_TRUE(calm.run(200.0, 0.1));
   EXPECT_NEAR(calm.state.q[1].z(), 0.0, 0.02);
 
-  sea.waves = {1.0, 400.0, 0.0, 0.0};
+  sea.waves.components = {{1.0, 400.0, 0.0, 0.0}};
   Simulated waves{alone(ship, sea), {}, {}};
   waves.state = placed(waves.model, Vector3(0, 0, 0));
   ASSERT_TRUE(waves.run(100.0, 0.1));
@@ -273,7 +273,7 @@ TEST(FreeBody, AHullFloatsAtItsDraftAndFollowsLongWaves)
     ASSERT_TRUE(waves.run(0.1, 0.1));
     const Vector3 at = waves.state.q[1].head<3>();
     worst = std::max(
-        worst, std::abs(at.z() - waves.model.environment().wave().elevation(at.x(), at.y(), waves.state.time)));
+        worst, std::abs(at.z() - waves.model.environment().waves().elevation(at.x(), at.y(), waves.state.time)));
     pitch = std::max(pitch, std::abs(2.0 * waves.rotation().orientation.y()));
   }
   EXPECT_LT(worst, 0.12) << "a wave twenty times the hull lifts it like a float";

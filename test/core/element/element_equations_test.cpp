@@ -141,6 +141,22 @@ TEST(ElementResponse, UnstretchedStraightElementIsForceFree)
   EXPECT_LT(force.norm(), 1e-9 * random.p.axial.stiffness);
 }
 
+TEST(ElementResponse, AddedMassAcrossAndAlong)
+{
+  RandomElement random(3);
+  ElementParameters& p = random.p;
+  p.added_mass = 0.9;
+  p.added_mass_tangential = 0.25;
+  ElementMotion push{ElementCoords::Zero(), ElementCoords::Zero(), ElementCoords::Zero()};
+  push.q << 0, 0, -10, 1, 0, 0, p.length, 0, -10, 1, 0, 0;
+  push.a << 2, 3, 0, 0, 0, 0, 2, 3, 0, 0, 0, 0;
+  ElementCoords force;
+  elementResidual(p, EnvironmentModel(Environment()), push, force);
+  const double water = 1025.0 * p.area;
+  EXPECT_NEAR(force[0] + force[6], p.length * (p.mass + 0.25 * water) * 2.0, 1e-9 * force.norm());
+  EXPECT_NEAR(force[1] + force[7], p.length * (p.mass + 0.9 * water) * 3.0, 1e-9 * force.norm());
+}
+
 TEST(ElementResponse, AFoldBetweenTheIntegrationPointsCostsEnergy)
 {
   // A slope at a node that points backwards, the element otherwise as long as it should be.

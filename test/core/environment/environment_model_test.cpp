@@ -16,7 +16,7 @@ Environment slopingSea()
 {
   Environment sea;
   sea.current = CurrentProfile(Vector3(0.5, 0.0, 0.0));
-  sea.waves = {1.0, 60.0, 0.0, 0.0};
+  sea.waves.components = {{1.0, 60.0, 0.0, 0.0}};
   sea.seabed = Seabed();
   sea.seabed->depth = 100.0;
   sea.seabed->slope = {0.1, 0.0};

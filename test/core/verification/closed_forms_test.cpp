@@ -17,20 +17,6 @@ RigidBody weight(double mass, double volume = 0.0)
   return body;
 }
 
-NodeField steadyShape(const CableModel& model, const SteadyEnds& ends)
-{
-  SteadyStateSolver statics(model.nodes());
-  NodeField shape;
-  EXPECT_TRUE(statics.solve(model, ends, shape).converged());
-  return shape;
-}
-
-BoundaryConditions heldAt(const CableState& state)
-{
-  return {EndTrajectory::uniform(state.time, {state.q.front().head<3>(), Vector3::Zero()}),
-          EndTrajectory::uniform(state.time, {state.q.back().head<3>(), Vector3::Zero()})};
-}
-
 // Straight and taut along x, in space.
 struct TautString
 {
@@ -247,46 +233,6 @@ TEST(Wind, PushesTheEmergedPart)
   const CableState state(0.0, steadyShape(model, ends), Vector3::Zero());
   const EndForces f = endForces(model, state);
   EXPECT_NEAR(f.vessel.y() + f.vehicle.y(), 0.5 * 1.225 * 0.03 * 10.0 * 1.35 * 225.0, 0.1);
-}
-
-// A stiff, short, taut tether stands across the waves: both ends together carry Morison's force, inertia and drag.
-TEST(Waves, MorisonForceOnATautTether)
-{
-  Environment sea;
-  sea.waves = {1.0, 60.0, 0.0, 0.0};
-  CableProperties p = towCable();
-  p.length = 4.0;
-  p.diameter = 0.2;
-  p.mass_per_length = 40.0;
-  p.drag_normal = 1.1;
-  p.added_mass_normal = 1.0;
-  CableModel model(p, 8, sea);
-  SteadyEnds ends;
-  ends.vessel = {0.0, 0.0, -6.0};
-  ends.vehicle = {0.0, 0.0, -10.01};
-  CableState state(0.0, steadyShape(model, ends), Vector3::Zero());
-  StepperOptions options;
-  options.step = 0.02;
-  AdaptiveStepper stepper(model, options);
-  const BoundaryConditions rest = heldAt(state);
-  const double area = M_PI / 4.0 * 0.04;
-  double worst = 0.0, size = 0.0;
-  for (double t = 20.0; t < 28.0; t += 0.1)  // its own swing has died away
-  {
-    ASSERT_TRUE(stepper.advance(model, rest, t, state).converged());
-    double expected = 0.0;
-    for (int i = 0; i < 400; ++i)
-    {
-      const double z = -6.0 - 4.01 * (i + 0.5) / 400;
-      const WaveMotion water = model.environment().wave().at(Vector3(0.0, 0.0, z), t);
-      expected += 0.01 * (1025.0 * area * 2.0 * water.acceleration.x() +
-                          0.5 * 1025.0 * 0.2 * 1.1 * std::abs(water.velocity.x()) * water.velocity.x());
-    }
-    const EndForces f = endForces(model, state);
-    worst = std::max(worst, std::abs(f.vessel.x() + f.vehicle.x() - expected));
-    size = std::max(size, std::abs(expected));
-  }
-  EXPECT_LT(worst, 0.02 * size);
 }
 
 }  // namespace tether_monitor::core

@@ -53,7 +53,13 @@ TEST(ConfigFingerprint, DiffersWithEveryNumberOfTheModel)
                                     },
                                     [](Config& c) { c.elements = 21; },
                                     [](Config& c) { c.environment.water_density = 1000.0; },
-                                    [](Config& c) { c.environment.waves.amplitude = 0.5; },
+                                    [](Config& c) {
+                                      c.environment.waves.components = {{0.5, 60.0, 0.0, 0.0}};
+                                    },
+                                    [](Config& c) { c.environment.waves.stretching = core::WaveStretching::NONE; },
+                                    [](Config& c) { c.environment.waves.spectrum = core::WaveSpectrum(); },
+                                    [](Config& c) { c.tether.added_mass_tangential = 0.1; },
+                                    [](Config& c) { c.tether.contact_diameter = 0.1; },
                                     [](Config& c) { c.environment.seabed = core::Seabed(); },
                                     [](Config& c) { c.vehicle_body.mass = 151.0; },
                                     [](Config& c) { c.vehicle.attachment.x() = 0.1; },

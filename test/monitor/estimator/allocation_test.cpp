@@ -110,7 +110,7 @@ TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)
   config.vehicle_mode = VehicleMode::FREE;
   config.vehicle_body = smallVehicle();
   config.drag_amplification = 1.5;
-  config.environment.waves = {0.5, 60.0, 0.0, 0.0};
+  config.environment.waves.components = {{0.5, 60.0, 0.0, 0.0}};
   config.environment.wind = {5.0, 0.0, 0.0};
   config.environment.seabed = core::Seabed();
   config.environment.seabed->depth = 80.0;

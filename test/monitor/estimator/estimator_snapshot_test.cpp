@@ -17,7 +17,7 @@ Config fullConfig()
   config.vehicle_body = smallVehicle();
   config.vehicle_body.attachment = {0.3, 0.0, 0.1};
   config.drag_amplification = 1.5;
-  config.environment.waves = {0.5, 60.0, 0.0, 0.0};
+  config.environment.waves.components = {{0.5, 60.0, 0.0, 0.0}};
   config.environment.seabed = core::Seabed();
   config.environment.seabed->depth = 80.0;
   core::Obstacle pile;

@@ -56,7 +56,7 @@ void forContacts(const ContactScene& scene, int i, const TangentWeights& w, cons
   const Proximity near = proximity(scene, i);
   if (!near.floor && !near.obstacle)
     return;
-  const double diameter = scene.elements[i].diameter;
+  const double diameter = scene.elements[i].contact_diameter;
   const ElementCoords q = elementCoords(scene.state.q, i), v = elementCoords(scene.state.v, i);
   for (int g = 0; g < CONTACT_POINTS; ++g)
   {

@@ -23,13 +23,16 @@ struct CableProperties
   double drag_normal = 0.0;        ///< Cn [-], >= 0.
   double drag_tangential = 0.0;    ///< Ct [-], >= 0.
   double added_mass_normal = 1.0;  ///< Can [-], times the displaced mass, >= 0; default 1.
+  double added_mass_tangential = 0.0;    ///< Cat [-], likewise, for motion along the tether, >= 0; default 0.
   double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 ..
                                          ///< 1e-3; meant for losses up to a half.
   double permanent_elongation = 0.0;  ///< [m/m], >= 0: the tether is longer by this without load. s, the mass and
                                       ///< the section stay those of before.
   double working_load = 0.0;          ///< SWL (WLL) [N], > 0 and <= breaking_load.
   double breaking_load = 0.0;         ///< MBL [N], > 0.
-  std::optional<double> load_area;    ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
+  std::optional<double>
+      contact_diameter;                   ///< dc [m], > 0: what touches floor and obstacles; default the diameter.
+  std::optional<double> load_area;        ///< [m^2] carrying the load, > 0; default pi d^2 / 4.
   std::optional<double> min_bend_radius;  ///< [m], > 0; default none.
 
   /// Cross-section that displaces water, pi d^2 / 4 [m^2].

@@ -27,13 +27,15 @@ struct AxialTransport
 /// Constants of one element, ready for the stepping path (no checks there: CableModel checks at set-up).
 struct ElementParameters
 {
-  double length = 0.0;           ///< L [m], unstretched, > 0.
-  double diameter = 0.0;         ///< d [m].
-  double mass = 0.0;             ///< m [kg/m], dry.
-  double area = 0.0;             ///< displaced cross-section [m^2].
-  double drag_normal = 0.0;      ///< Cn [-].
-  double drag_tangential = 0.0;  ///< Ct [-].
-  double added_mass = 0.0;       ///< Can [-].
+  double length = 0.0;                 ///< L [m], unstretched, > 0.
+  double diameter = 0.0;               ///< d [m].
+  double contact_diameter = 0.0;       ///< dc [m], of what touches floor and obstacles.
+  double mass = 0.0;                   ///< m [kg/m], dry.
+  double area = 0.0;                   ///< displaced cross-section [m^2].
+  double drag_normal = 0.0;            ///< Cn [-].
+  double drag_tangential = 0.0;        ///< Ct [-].
+  double added_mass = 0.0;             ///< Can [-].
+  double added_mass_tangential = 0.0;  ///< Cat [-].
   AxialParameters axial;
   double bending_stiffness = 0.0;  ///< EI with its regularisation [N m^2].
   double compression = 0.0;        ///< relative change of diameter per metre of depth [1/m], >= 0.

@@ -17,26 +17,25 @@ struct WaveProperties
   double phase = 0.0;      ///< [rad]
 };
 
-/// Every bound of WaveProperties that `waves` violates, one sentence each.
-std::vector<std::string> validate(const WaveProperties& waves);
-
-/// Surface, velocity and acceleration of the water in a wave.
-struct WaveMotion
-{
-  double elevation = 0.0;                  ///< of the surface above still water [m].
-  Vector3 velocity = Vector3::Zero();      ///< [m/s]
-  Vector3 acceleration = Vector3::Zero();  ///< local, d u/dt at the point [m/s^2].
-};
+/// Every bound of WaveProperties that `waves` violates, one sentence each, beginning with `prefix`.
+std::vector<std::string> validate(const WaveProperties& waves, const std::string& prefix = "environment.waves.");
 
 /**
- * Linear (Airy) wave in water of finite depth, stretched to the instantaneous surface (Wheeler).
+ * Linear (Airy) wave in water of finite depth: one component of a WaveField.
  *
- * Model: (M21) of doc/model.md: eta = a cos(k.x - w t + phase), w^2 = g k tanh(k h).
+ * Model: (M21) of doc/model.md: eta = a cos(theta), theta = k.x - w t + phase, w^2 = g k tanh(k h). Velocity
+ * (horizontal cos(theta), up sin(theta)) and local acceleration w (horizontal sin(theta), -up cos(theta)).
  */
 class AiryWave
 {
  public:
   static constexpr double DEEP = std::numeric_limits<double>::infinity();
+
+  /// Sizes of the velocity at one height [m/s].
+  struct Profile
+  {
+    double horizontal, up;
+  };
 
   /// Still water.
   AiryWave() = default;
@@ -51,18 +50,20 @@ class AiryWave
   /// Counts times from `epoch` [s] on.
   void setTimeOrigin(double epoch);
   bool isCalm() const { return amplitude_ == 0.0; }
-  double frequency() const { return frequency_; }   ///< w [rad/s], in a fixed frame.
-  const Vector3& wavenumber() const { return k_; }  ///< k [rad/m], horizontal.
+  double amplitude() const { return amplitude_; }          ///< a [m].
+  double frequency() const { return frequency_; }          ///< w [rad/s], in a fixed frame.
+  const Vector3& wavenumber() const { return k_; }         ///< k [rad/m], horizontal.
+  const Vector3& direction() const { return direction_; }  ///< unit vector, horizontal.
   /// Frequency at which a body that moves with velocity V [m/s] meets the waves [rad/s], >= 0.
   double encounterFrequency(const Vector3& V) const;
 
-  /// Height of the surface [m] over the point (x, y) at time t [s].
-  double elevation(double x, double y, double t) const;
-  /// Motion of the water at a point of the world [m] and time t [s]; above the surface that at the surface.
-  WaveMotion at(const Vector3& point, double t) const;
+  /// theta [rad] over the point (x, y) at time t [s].
+  double angle(double x, double y, double t) const { return k_.x() * x + k_.y() * y - frequency_ * t + phase_; }
+  /// @param z  height [m] to which the motion dies away, stretched or not; -h <= z.
+  Profile profile(double z) const;
 
  private:
-  double amplitude_ = 0.0, frequency_ = 0.0, wavenumber_ = 0.0, phase_ = 0.0, depth_ = DEEP;
+  double amplitude_ = 0.0, frequency_ = 0.0, wavenumber_ = 0.0, phase_ = 0.0, depth_ = DEEP, speed_ = 0.0;
   Vector3 k_ = Vector3::Zero();
   Vector3 direction_ = Vector3::UnitX();
 };

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "tether_monitor/core/base/types.h"
-#include "tether_monitor/core/environment/airy_wave.h"
 #include "tether_monitor/core/environment/current_profile.h"
 #include "tether_monitor/core/environment/obstacle.h"
+#include "tether_monitor/core/environment/sea_state.h"
 #include "tether_monitor/core/environment/seabed.h"
 
 namespace tether_monitor::core
@@ -18,7 +18,7 @@ struct Environment
   double water_density = 1025.0;   ///< rho [kg/m^3], >= 0 (zero: the tether hangs in air).
   double gravity = 9.81;           ///< g [m/s^2], >= 0.
   CurrentProfile current;          ///< WaterKinematics velocity by depth; default still water.
-  WaveProperties waves;            ///< default none.
+  SeaState waves;                  ///< default none.
   Vector3 wind = Vector3::Zero();  ///< velocity of the air [m/s]; zero: the air is not felt at all.
   std::optional<Seabed> seabed;    ///< default none.
   std::vector<Obstacle> obstacles;

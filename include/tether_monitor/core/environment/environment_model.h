@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tether_monitor/core/environment/airy_wave.h"
 #include "tether_monitor/core/environment/environment.h"
+#include "tether_monitor/core/environment/wave_field.h"
 
 namespace tether_monitor::core
 {
@@ -43,7 +43,7 @@ class EnvironmentModel
   double gravity() const { return environment_.gravity; }
   const Vector3& wind() const { return environment_.wind; }
   bool hasWind() const { return has_wind_; }
-  const AiryWave& wave() const { return wave_; }
+  const WaveField& waves() const { return waves_; }
   const CurrentProfile& current() const { return environment_.current; }
   const std::vector<Obstacle>& obstacles() const { return environment_.obstacles; }
   const std::optional<Seabed>& seabed() const { return environment_.seabed; }
@@ -53,12 +53,12 @@ class EnvironmentModel
   double timeOrigin() const { return time_origin_; }
 
   /// True if the water moves everywhere alike, and without waves.
-  bool isUniform() const { return wave_.isCalm() && environment_.current.samples().size() <= 1; }
+  bool isUniform() const { return waves_.isCalm() && environment_.current.samples().size() <= 1; }
   /// Motion of the water at a point [m] and time t [s].
   WaterKinematics waterKinematics(const Vector3& point, double t) const
   {
     WaterKinematics water{environment_.current.at(point.z())};
-    if (!wave_.isCalm())
+    if (!waves_.isCalm())
       addWave(point, t, water);
     return water;
   }
@@ -76,7 +76,7 @@ class EnvironmentModel
   void addWave(const Vector3& point, double t, WaterKinematics& water) const;
 
   Environment environment_;
-  AiryWave wave_;
+  WaveField waves_;
   Vector3 origin_ = Vector3::Zero();
   double time_origin_ = 0.0;
   bool has_wind_;

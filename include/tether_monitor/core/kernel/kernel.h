@@ -28,6 +28,7 @@ enum Constant
   DRAG_NORMAL,
   DRAG_TANGENTIAL,
   ADDED_MASS,
+  ADDED_MASS_TANGENTIAL,
   AXIAL_STIFFNESS,
   AXIAL_VISCOSITY,              ///< tau EA [N s].
   COMPRESSION_LIMIT,            ///< Pc [N].
