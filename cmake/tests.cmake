@@ -38,6 +38,7 @@ set(test_files
   test/core/linalg/block_tridiagonal_test.cpp
   test/core/solve/abarbanel_zwas_test.cpp
   test/core/solve/adaptive_stepper_test.cpp
+  test/core/solve/dynamic_relaxation_test.cpp
   test/core/solve/steady_state_catenary_test.cpp
   test/core/solve/steady_state_solver_test.cpp
   test/core/verification/blintsov_steady_tow_test.cpp

@@ -143,4 +143,39 @@ RandomTether arbitraryTether(RandomSource& dice)
     t.bodies.vehicle = body(dice, p.mass_per_length * p.length);
   return t;
 }
+
+RandomTether tetherOnSeabed(RandomSource& dice)
+{
+  RandomTether t;
+  core::CableProperties& p = t.tether;
+  p = coefficients(dice);
+  p.length = dice.scale(20.0, 2000.0);
+  p.diameter = std::min(dice.scale(0.005, 0.3), p.length / 100.0);
+  const double area = p.displacedArea(), density = WATER * dice.scale(1.05, 7.0);
+  p.mass_per_length = density * area;
+  const double load = (density - WATER) * area * GRAVITY * p.length;
+  p.axial_stiffness = std::clamp(std::max(dice.scale(1e9, 1e11) * area, 50.0 * load), 1e4, 1e10);
+  p.axial_damping = dice.chance(0.3) ? 0.0 : dice.scale(1e-4, 1e-2);
+  if (dice.chance(0.3))
+    p.bending_stiffness = p.axial_stiffness * p.diameter * p.diameter / 16.0 * dice.scale(1e-3, 0.1);
+  if (dice.chance(0.3))
+    t.sea.current = core::CurrentProfile(horizontal(dice, 0.5));
+
+  core::Seabed floor;
+  const double ratio = dice.uniform(0.5, 0.995), steepness = dice.uniform(0.05, 0.9);
+  floor.depth = 5.0 + ratio * steepness * p.length;
+  floor.friction = dice.chance(0.2) ? 0.0 : dice.uniform(0.0, 1.0);
+  if (dice.chance(0.5))
+    floor.slope = (0.2 * horizontal(dice, 1.0)).head<2>();
+  p.working_load = 100.0 * load;
+  p.breaking_load = 200.0 * load;
+  t.sea.seabed = floor;
+  const Vector3 way =
+      p.length * ratio * std::sqrt(1.0 - steepness * steepness) * horizontal(dice, 1.0).normalized();
+  t.ends.vessel = {0.0, 0.0, -5.0 * dice.uniform(0.0, 1.0)};
+  t.ends.vehicle = way;
+  const double height = dice.chance(0.5) ? 0.0 : dice.uniform(0.0, 0.2) * floor.depth;
+  t.ends.vehicle.z() = floor.at(way.x(), way.y()).z + 0.5 * p.diameter + height;
+  return t;
+}
 }  // namespace tether_monitor::fuzz

@@ -50,4 +50,8 @@ RandomTether plausibleTether(RandomSource& dice);
 /// Any tether within the bounds of the parameters: lengths, stiffness and diameter by themselves, ends up to 20 %
 /// too far apart.
 RandomTether arbitraryTether(RandomSource& dice);
+
+/// A tether that sinks, at rest between a vessel above the floor and an end on it or near it; friction 0 to 1,
+/// slopes up to 0.2, a third of them in a current.
+RandomTether tetherOnSeabed(RandomSource& dice);
 }  // namespace tether_monitor::fuzz

@@ -237,4 +237,40 @@ std::string checkTether(RandomSource& dice)
   }
   return "";
 }
+
+RestOutcome restOnSeabed(RandomSource& dice)
+{
+  const RandomTether t = tetherOnSeabed(dice);
+  monitor::Config config;
+  config.tether = t.tether;
+  config.environment = t.sea;
+  config.elements = 20 + static_cast<int>(dice.uniform(0.0, 60.0));
+  monitor::TetherEstimator estimator(config);
+  monitor::EndTargets ends;
+  ends.vessel.position = t.ends.vessel;
+  ends.vehicle.position = t.ends.vehicle;
+  RestOutcome outcome;
+  outcome.found = estimator.begin(0.0, ends).has_stations && estimator.simulation().last_solve.converged();
+  if (!outcome.found)
+    return outcome;
+  const core::CableModel& model = estimator.simulation().model;
+  core::CableState state = estimator.simulation().state;
+  core::BoundaryConditions held;
+  held.vessel = core::EndTrajectory::uniform(0.0, {state.q.front().head<3>(), Vector3::Zero()});
+  held.vehicle = core::EndTrajectory::uniform(0.0, {state.q.back().head<3>(), Vector3::Zero()});
+  core::StepperOptions options;
+  options.step = 0.04;
+  core::AdaptiveStepper stepper(model, options);
+  const core::EndForces at_first = core::endForces(model, state);
+  for (double time = 1.0; time <= 60.0; time += 1.0)
+  {
+    if (!stepper.advance(model, held, time, state).converged())
+      return {true, INFINITY};
+    const core::EndForces now = core::endForces(model, state);
+    const double size = std::max(at_first.vessel.norm(), at_first.vehicle.norm());
+    outcome.drift = std::max({outcome.drift, (now.vessel - at_first.vessel).norm() / size,
+                              (now.vehicle - at_first.vehicle).norm() / size});
+  }
+  return outcome;
+}
 }  // namespace tether_monitor::fuzz

@@ -13,4 +13,14 @@ std::string checkElement(RandomSource& dice);
 /// A random tether in random motion, with teleports, reversals and garbage, through the estimator. Every estimate
 /// must be finite, or INVALID with a reason; the iterations must stay within the budget.
 std::string checkTether(RandomSource& dice);
+
+/// What became of a steady state in the minute that followed.
+struct RestOutcome
+{
+  bool found = false;  ///< else the estimator said that there is none, or none at rest.
+  double drift = 0.0;  ///< change of an end force over the larger [-].
+};
+
+/// Finds the steady state of tetherOnSeabed() and steps it for a minute with its ends held.
+RestOutcome restOnSeabed(RandomSource& dice);
 }  // namespace tether_monitor::fuzz

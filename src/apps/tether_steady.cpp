@@ -103,7 +103,7 @@ int findSteadyState(const Arguments& arguments)
 
   const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity, arguments.modes);
   const monitor::TetherEstimate& estimate = steady.estimate;
-  if (!estimate.has_stations)
+  if (!estimate.has_stations || !steady.report.converged())
   {
     std::cerr << "tether_steady: no steady state: " << core::describe(steady.report.status) << ", residual "
               << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";

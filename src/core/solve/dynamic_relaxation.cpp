@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tether_monitor/core/assembly/contact_summary.h"
+#include "tether_monitor/core/assembly/end_forces.h"
 #include "tether_monitor/core/solve/adaptive_stepper.h"
 #include "tether_monitor/core/solve/starting_shape.h"
 
@@ -16,6 +17,49 @@ CableModel withoutWavesAndFreeObstacles(const CableModel& model)
   for (Obstacle& obstacle : obstacles)
     obstacle.mass = 0.0;
   return model.withEnvironment(model.environment().withoutWaves().withObstacles(obstacles));
+}
+
+constexpr double REST_MINUTE = 60.0;     // [s]
+constexpr double WATCH_INTERVAL = 2.0;   // [s]
+constexpr double LONGEST_WATCH = 600.0;  // [s]
+constexpr double REST_DRIFT = 2e-3;      // of the end forces in a minute; 3e-3 is what a user is told
+constexpr double STILL_DRIFT = 1e-6;     // likewise, in an interval of a tether that stands
+constexpr double STANDING = 1e-5;        // [m/s]
+constexpr int MOST_ITERATIONS = 100000;  // of one watch
+constexpr double LEAST_FORCE = 0.01;     // of the dry weight: a tether that weighs nothing has no end forces
+
+double change(const EndForces& a, const EndForces& b)
+{
+  return std::max((a.vessel - b.vessel).norm(), (a.vehicle - b.vehicle).norm());
+}
+
+double sizeOfForces(const CableModel& model, const EndForces& forces)
+{
+  return std::max({forces.vessel.norm(), forces.vehicle.norm(), LEAST_FORCE * DeployedCable(model).forceScale()});
+}
+
+// A state at the time of another, and where that was.
+void takeToStart(const CableState& start, const Vector3& velocity, CableState& state)
+{
+  const Vector3 travelled = (state.time - start.time) * velocity;
+  for (NodeCoords& node : state.q)
+    node.head<3>() -= travelled;
+  for (Vector3& anchor : state.contact.seabed)
+    anchor -= travelled;
+  state.time = state.contact.time = start.time;
+  state.obstacles = start.obstacles;
+  state.step = 0.0;
+}
+
+// Nothing moves against the ends any more.
+void stop(const Vector3& velocity, CableState& state)
+{
+  for (std::size_t i = 0; i < state.v.size(); ++i)
+  {
+    state.v[i] << velocity, Vector3::Zero();
+    state.a[i].setZero();
+    state.algorithmic_acceleration[i].setZero();
+  }
 }
 
 double fastestAgainst(const CableState& state, const Vector3& velocity)
@@ -37,34 +81,74 @@ bool touchesAnything(const CableModel& model, const CableState& state)
 }
 }  // namespace
 
-SolveReport relaxFriction(const CableModel& model, CableState& state)
+RestReport watchRest(const CableModel& model, const Vector3& velocity, double longest, CableState& state)
 {
-  constexpr double STRETCH = 2.0, LONGEST = 60.0;  // [s]
-  constexpr double STILL = 2e-3;                   // [m/s]
-  SolveReport total;
-  if (!touchesAnything(model, state) || state.v.front().head<3>().norm() > STANDSTILL)
-    return total;
-
   const CableModel held = withoutWavesAndFreeObstacles(model);
   const CableState start = state;
   for (ObstacleMotion& obstacle : state.obstacles)
     obstacle.velocity.setZero();
+  BoundaryConditions ends;
+  ends.vessel = EndTrajectory::uniform(start.time, {state.q.front().head<3>(), velocity});
+  ends.vehicle = EndTrajectory::uniform(start.time, {state.q.back().head<3>(), velocity});
   AdaptiveStepper stepper(held, StepperOptions());
-  BoundaryConditions rest;
-  rest.vessel = EndTrajectory::uniform(start.time, {state.q.front().head<3>(), Vector3::Zero()});
-  rest.vehicle = EndTrajectory::uniform(start.time, {state.q.back().head<3>(), Vector3::Zero()});
-  for (double t = STRETCH; t <= LONGEST; t += STRETCH)
+  RestReport rest;
+  rest.solve.status = SolveStatus::NOT_AT_REST;
+  EndForces reference = endForces(held, state);
+  double quiet_since = 0.0;
+  for (double t = WATCH_INTERVAL; t <= longest && rest.solve.iterations < MOST_ITERATIONS; t += WATCH_INTERVAL)
   {
-    total = stepper.advance(held, rest, start.time + t, state);
-    if (!total.converged() || fastestAgainst(state, Vector3::Zero()) < STILL)
+    const SolveReport report = stepper.advance(held, ends, start.time + t, state);
+    rest.solve.addCost(report);
+    rest.solve.residual = report.residual;
+    rest.watched = t;
+    if (!report.converged())
+    {
+      rest.solve.status = report.status;
       break;
+    }
+    const EndForces now = endForces(held, state);
+    const double moved = change(reference, now) / sizeOfForces(held, now);
+    const bool is_still = moved <= STILL_DRIFT && fastestAgainst(state, velocity) < STANDING;
+    if (moved <= REST_DRIFT && (t - quiet_since >= REST_MINUTE || is_still))
+    {
+      rest.solve.status = SolveStatus::CONVERGED;
+      rest.was_at_rest = quiet_since == 0.0;
+      break;
+    }
+    if (moved > REST_DRIFT)
+    {
+      reference = now;
+      quiet_since = t;
+    }
   }
-  state.time = state.contact.time = start.time;
-  state.obstacles = start.obstacles;
-  state.step = 0.0;
-  for (NodeField* rate : {&state.v, &state.a, &state.algorithmic_acceleration})
-    for (NodeCoords& x : *rate)
-      x.setZero();
+  if (rest.was_at_rest)
+    state = start;
+  else
+    takeToStart(start, velocity, state);
+  return rest;
+}
+
+SolveReport settleContact(SteadyStateSolver& solver, const CableModel& model, const SteadyEnds& ends,
+                          CableState& state)
+{
+  SolveReport total;
+  if (!touchesAnything(model, state) || ends.velocity.norm() > STANDSTILL)
+    return total;
+  const CableModel held = withoutWavesAndFreeObstacles(model);
+  double left = LONGEST_WATCH;
+  RestReport rest;
+  while (!rest.was_at_rest && left > REST_MINUTE)
+  {
+    total.addCost(solver.settleFriction(held, ends, state));
+    rest = watchRest(model, Vector3::Zero(), left, state);
+    total.addCost(rest.solve);
+    total.status = rest.was_at_rest || !rest.solve.converged() ? rest.solve.status : SolveStatus::NOT_AT_REST;
+    total.residual = rest.solve.residual;
+    if (!rest.solve.converged())
+      break;
+    left -= rest.watched;
+    stop(Vector3::Zero(), state);
+  }
   return total;
 }
 
@@ -115,6 +199,7 @@ SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, 
                             NodeField& shape)
 {
   SolveReport total = solver.solve(model, ends, shape);
+  bool moves = false;
   // As the paper does it: let it move until it is steady. First from where the search ended, then from the curve.
   for (int attempt = 0; attempt < 2 && !total.converged(); ++attempt)
   {
@@ -127,12 +212,23 @@ SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, 
     total = report;
     if (!report.converged())
       continue;
-    shape = moved;
-    report = solver.solveFrom(model, ends, moved);
+    NodeField solved = moved;
+    report = solver.solveFrom(model, ends, solved);
     total.addCost(report);
-    if (report.converged())
-      shape = moved;
+    if (!report.converged())
+    {
+      CableState state(0.0, moved, ends.velocity, ends.deployment);
+      initializeContact(model, state);
+      report = watchRest(model, ends.velocity, REST_MINUTE, state).solve;
+      total.addCost(report);
+    }
+    total.status = report.status;
+    moves = moves || report.status == SolveStatus::NOT_AT_REST;
+    if (report.isUsable())
+      shape = solved;
   }
+  if (!total.converged() && moves)
+    total.status = SolveStatus::NOT_AT_REST;
   return total;
 }
 

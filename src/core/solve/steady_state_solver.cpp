@@ -165,6 +165,22 @@ SolveReport SteadyStateSolver::solveFrom(const CableModel& model, const SteadyEn
   return searchFrom(ends, search, shape);
 }
 
+SolveReport SteadyStateSolver::settleFriction(const CableModel& model, const SteadyEnds& ends, CableState& state)
+{
+  Search search(model, ends);
+  trial_ = state;
+  trial_.contact.friction = FrictionMode::COULOMB;
+  trial_.contact.step = 0.0;
+  const SolveReport report = pseudoTransientContinuation(search);
+  if (report.converged())
+  {
+    search.cable.commitFriction(trial_);
+    state.q = trial_.q;
+    state.contact = trial_.contact;
+  }
+  return report;
+}
+
 SolveReport SteadyStateSolver::searchFrom(const SteadyEnds& ends, Search& search, NodeField& shape)
 {
   const DeployedCable& cable = search.cable;

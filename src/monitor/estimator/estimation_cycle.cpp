@@ -13,8 +13,9 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double ABSURD = 10.0;      // breaking loads: no tether carries that, an input is wrong
-constexpr double START_RETRY = 1.0;  // [s] between attempts to find a steady state
+constexpr double ABSURD = 10.0;         // breaking loads: no tether carries that, an input is wrong
+constexpr double SETTLING_TIME = 60.0;  // [s] that a tether which was not at rest is given
+constexpr double START_RETRY = 1.0;     // [s] between attempts to find a steady state
 }  // namespace
 
 EstimationCycle::EstimationCycle(const Config& config)
@@ -158,8 +159,10 @@ bool EstimationCycle::start(double t, const EndTargets& ends)
   retry_start_at_ = t + START_RETRY;
   SteadyStart found = findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
   simulation_.last_solve = found.simulation.last_solve;
-  if (!simulation_.last_solve.converged())
+  const bool is_at_rest = simulation_.last_solve.converged();
+  if (!found.is_found)
     return false;
+  settles_until_ = is_at_rest ? t : t + SETTLING_TIME;
   simulation_ = std::move(found.simulation);
   vehicle_->begin(found.vehicle, ends, simulation_);
   obstacles_.begin(t);
@@ -227,6 +230,8 @@ Reason EstimationCycle::degradedReason() const
   const Reason range = modelRange(simulation_.cable, estimate_);
   if (range != Reason::NONE)
     return range;
+  if (estimate_.time < settles_until_)
+    return Reason::SETTLING;
   const Reason doubtful = vehicle_->degradedReason(estimate_);
   if (doubtful != Reason::NONE)
     return doubtful;

@@ -27,7 +27,7 @@ class StartSearch
   }
 
  private:
-  bool isConverged() const { return simulation_.last_solve.converged(); }
+  bool isFound() const { return simulation_.last_solve.isUsable(); }
 
   bool placeOrigin(const std::vector<core::Obstacle>& obstacles)
   {
@@ -51,7 +51,7 @@ class StartSearch
   bool findShape()
   {
     simulation_.last_solve = vehicle_.findStart(simulation_, ends_, targets_, start_.vehicle);
-    return isConverged();
+    return isFound();
   }
 
   // A mesh for the wanted accuracy; if nothing is found on it, that before.
@@ -64,7 +64,7 @@ class StartSearch
     const SteadyStart before = start_;
     const core::SteadyEnds ends_before = ends_;
     selectMesh(purpose.length);
-    if (vehicle_.findStart(simulation_, ends_, targets_, start_.vehicle).converged())
+    if (vehicle_.findStart(simulation_, ends_, targets_, start_.vehicle).isUsable())
     {
       simulation_.mesh_purpose = purpose;
       return true;
@@ -101,7 +101,7 @@ class StartSearch
   bool amplifyDrag()
   {
     core::CableState& state = simulation_.state;
-    for (int pass = 0; config_.drag_amplification > 1.0 && pass < VORTEX_SHEDDING_PASSES && isConverged(); ++pass)
+    for (int pass = 0; config_.drag_amplification > 1.0 && pass < VORTEX_SHEDDING_PASSES && isFound(); ++pass)
     {
       start_.vortex_shedding = core::findLockIn(simulation_.updatedCable(), state, config_.drag_amplification,
                                                 state.deployment.drag_factor);
@@ -109,17 +109,21 @@ class StartSearch
       simulation_.last_solve = vehicle_.refineStart(simulation_, ends_, targets_, start_.vehicle);
       state.q = start_.vehicle.shape;
     }
-    return isConverged();
+    return isFound();
   }
 
   bool settleContact()
   {
     simulation_.updatedCable().initializeContact(simulation_.state);
-    const core::SolveReport slip =
-        core::relaxFriction(vehicle_.modelAtRest(simulation_.model, start_.vehicle), simulation_.state);
-    simulation_.last_solve.addCost(slip);
-    simulation_.last_solve.status = slip.status;
-    return isConverged();
+    const core::SolveReport settled =
+        core::settleContact(simulation_.steady_solver, vehicle_.modelAtRest(simulation_.model, start_.vehicle),
+                            ends_, simulation_.state);
+    simulation_.last_solve.addCost(settled);
+    if (simulation_.last_solve.converged())
+      simulation_.last_solve.status = settled.status;
+    else if (!settled.isUsable())
+      return false;
+    return isFound();
   }
 
   const Config& config_;
@@ -136,7 +140,7 @@ SteadyStart findSteadyStart(const Config& config, const CableSimulation& simulat
                             const EndTargets& targets)
 {
   SteadyStart start{simulation, {}, {}};
-  StartSearch(config, vehicle, targets, start).run(t, obstacles);
+  start.is_found = StartSearch(config, vehicle, targets, start).run(t, obstacles);
   return start;
 }
 

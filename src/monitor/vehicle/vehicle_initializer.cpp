@@ -85,7 +85,7 @@ class MapSearch
     core::NodeField shape;
     const core::CableModel held = withoutVehicle(model_);
     const core::SolveReport report = core::findSteadyState(statics_, held, at, shape);
-    if (!report.converged())
+    if (!report.isUsable())
       return;
     const core::Vector3 force = holdingForce(model_, held, shape, at) - thrust_;
     acceptIfBetter(force, shape, report);
@@ -170,7 +170,7 @@ core::Matrix3 forceCovarianceFromVelocity(core::SteadyStateSolver& statics, cons
     at.velocity[i] += velocity_stddev[i];
     core::NodeField shape = start.shape;
     if (!(velocity_stddev[i] > 0.0) || (!statics.solveFrom(held, at, shape).converged() &&
-                                        !core::findSteadyState(statics, held, at, shape).converged()))
+                                        !core::findSteadyState(statics, held, at, shape).isUsable()))
       continue;
     const core::Vector3 force = holdingForce(model, held, shape, at) - usual;
     covariance += force * force.transpose();

@@ -5,11 +5,12 @@ namespace tether_monitor::core
 /// How a solver ended. Solvers report; they never throw.
 enum class SolveStatus
 {
-  CONVERGED,          ///< The residual is below its tolerance.
-  NOT_CONVERGED,      ///< The iterations ran out or the residual stopped falling.
-  SINGULAR,           ///< The iteration matrix could not be factorised, or a number was not finite.
-  ITERATION_LIMIT,    ///< The bounded number of steps or iterations was used up before the end was reached.
-  FOLDED_EQUILIBRIUM  ///< An equilibrium was found that no tether takes: an element is folded.
+  CONVERGED,           ///< The residual is below its tolerance.
+  NOT_CONVERGED,       ///< The iterations ran out or the residual stopped falling.
+  SINGULAR,            ///< The iteration matrix could not be factorised, or a number was not finite.
+  ITERATION_LIMIT,     ///< The bounded number of steps or iterations was used up before the end was reached.
+  FOLDED_EQUILIBRIUM,  ///< An equilibrium was found that no tether takes: an element is folded.
+  NOT_AT_REST          ///< What was found as a steady state still moves.
 };
 
 /// Words for a SolveStatus.
@@ -27,6 +28,8 @@ constexpr const char* describe(SolveStatus status)
       return "iteration budget spent";
     case SolveStatus::FOLDED_EQUILIBRIUM:
       return "folded equilibrium";
+    case SolveStatus::NOT_AT_REST:
+      return "does not come to rest";
   }
   return "unknown";
 }
@@ -53,6 +56,8 @@ struct SolveReport
     iterations += other.iterations;
   }
   bool converged() const { return status == SolveStatus::CONVERGED; }
+  /// A state was found, at rest or not.
+  bool isUsable() const { return converged() || status == SolveStatus::NOT_AT_REST; }
 };
 
 }  // namespace tether_monitor::core

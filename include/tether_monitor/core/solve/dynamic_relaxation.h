@@ -4,14 +4,35 @@
 
 namespace tether_monitor::core
 {
+/// What a watch has seen.
+struct RestReport
+{
+  SolveReport solve;         ///< CONVERGED: quiet for a minute; NOT_AT_REST, or how the stepping failed.
+  bool was_at_rest = false;  ///< from the beginning.
+  double watched = 0.0;      ///< [s]
+};
+
 /**
- * Lets a tether at rest in contact slip where friction does not hold it: steps it with its ends at rest until
- * nothing moves, up to a minute. Does nothing without contact, or where the ends move.
+ * Watches whether a steady state is at rest: steps it with its ends in uniform motion until its end forces have
+ * changed by less than 0.2 % of the larger (or of 1 % of the dry weight, if that is more) for a minute.
  *
- * @param state  a steady state of SteadyStateSolver, after initializeContact(); in and out, its time stays.
- * @return       how the stepping went; CONVERGED if there was nothing to do.
+ * @param velocity  of the ends [m/s].
+ * @param longest   time to watch [s].
+ * @param state     in and out: unchanged if it was at rest from the beginning, else as it moves in the end; its
+ * time and the place of its ends stay.
  */
-SolveReport relaxFriction(const CableModel& model, CableState& state);
+RestReport watchRest(const CableModel& model, const Vector3& velocity, double longest, CableState& state);
+
+/**
+ * Lets a tether at rest in contact slip where friction does not hold it, SteadyStateSolver::settleFriction(), and
+ * watches that it rests; up to ten minutes. Does nothing without contact, or where the ends move.
+ *
+ * @param solver  of as many nodes as the model.
+ * @param state   a steady state of SteadyStateSolver, after initializeContact(); in and out, its time stays.
+ * @return        CONVERGED if it is at rest, or there was nothing to do; NOT_AT_REST: the state moves as it would.
+ */
+SolveReport settleContact(SteadyStateSolver& solver, const CableModel& model, const SteadyEnds& ends,
+                          CableState& state);
 
 /**
  * Steady shape by motion, the paper's "solution setting": from a curve with its ends in uniform motion until no
@@ -28,7 +49,8 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
  * The steady state by all means: SteadyStateSolver::solve(); if it fails, motion until nothing moves, and from
  * there again.
  *
- * @param shape  out: unchanged unless the report says converged.
+ * @param shape  out: unchanged unless the report is usable; of a slack tether that hardly weighs anything, where
+ * it drifts slowly (NOT_AT_REST).
  */
 SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, const SteadyEnds& ends,
                             NodeField& shape);

@@ -24,7 +24,7 @@ struct SteadyStateOptions
  * downhill, at last this is Newton's method on R = 0. Waves are taken away.
  *
  * Where a tether at rest touches a surface it stays as it came down, however little friction there is: what lies
- * on the seabed has no steady state of its own. relaxFriction() lets go what friction does not hold.
+ * on the seabed has no steady state of its own. settleFriction() lets go what friction does not hold.
  */
 class SteadyStateSolver
 {
@@ -40,6 +40,15 @@ class SteadyStateSolver
 
   /// As solve(), starting from the curve in `shape`, whose ends are moved to `ends`.
   SolveReport solveFrom(const CableModel& model, const SteadyEnds& ends, NodeField& shape);
+
+  /**
+   * Lets a tether at rest in contact slip where friction does not hold it, without inertia: the same continuation
+   * with Coulomb's friction, its springs tied anew after every step.
+   *
+   * @param state  a steady state after initializeContact(), its vessel end on `ends`; in and out: coordinates and
+   *               friction springs in equilibrium. Unchanged unless the report says converged.
+   */
+  SolveReport settleFriction(const CableModel& model, const SteadyEnds& ends, CableState& state);
 
   /// Where the last search ended, found or not.
   const NodeField& lastShape() const { return trial_.q; }

@@ -15,7 +15,7 @@ enum class Reason
 {
   NONE = 0,
   NO_INPUT,
-  SETTLING,
+  SETTLING,  ///< a start is looked for (INVALID), or what was found still moves (DEGRADED).
   VESSEL_STALE,
   VEHICLE_STALE,
   PAYOUT_STALE,

@@ -63,8 +63,8 @@ class EstimationCycle
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(phase_, retry_start_at_, simulation_.state, simulation_.count, simulation_.last_solve, vessel_, vehicle_,
-      payout_, obstacles_, watchdog_, vortex_shedding_, estimate_);
+    a(phase_, retry_start_at_, settles_until_, simulation_.state, simulation_.count, simulation_.last_solve,
+      vessel_, vehicle_, payout_, obstacles_, watchdog_, vortex_shedding_, estimate_);
   }
 
  private:
@@ -89,6 +89,7 @@ class EstimationCycle
   VortexSheddingMonitor vortex_shedding_;
   Phase phase_ = Phase::IDLE;
   double retry_start_at_ = 0.0;  // [s]
+  double settles_until_ = 0.0;   // [s]; the tether was not at rest where it started
   TetherEstimate estimate_;
 };
 

@@ -14,6 +14,7 @@ struct SteadyStart
   CableSimulation simulation;
   VehicleInitialization vehicle;
   core::VortexShedding vortex_shedding;
+  bool is_found = false;  ///< simulation.last_solve tells whether it is at rest.
 };
 
 /**
@@ -21,7 +22,7 @@ struct SteadyStart
  *
  * @param simulation  what there was before: environment, mesh and obstacles are taken over; unchanged.
  * @param obstacles   at time t.
- * @return            with simulation.last_solve telling whether it was found; else it is of no use.
+ * @return            of no use unless is_found.
  */
 SteadyStart findSteadyStart(const Config& config, const CableSimulation& simulation,
                             const std::vector<core::Obstacle>& obstacles, const VehicleEnd& vehicle, double t,
