@@ -9,6 +9,7 @@ set(test_files
   test/core/assembly/cable_model_test.cpp
   test/core/assembly/contact_assembly_test.cpp
   test/core/assembly/deployed_cable_test.cpp
+  test/core/assembly/joined_elements_test.cpp
   test/core/assembly/lumped_attachment_test.cpp
   test/core/base/binary_archive_test.cpp
   test/core/base/lane_math_test.cpp
@@ -26,6 +27,7 @@ set(test_files
   test/core/element/hermite_shape_functions_test.cpp
   test/core/element/morison_drag_test.cpp
   test/core/element/quadrature_test.cpp
+  test/core/element/slope_transition_test.cpp
   test/core/element/submergence_test.cpp
   test/core/environment/airy_wave_test.cpp
   test/core/environment/current_profile_test.cpp
@@ -45,6 +47,7 @@ set(test_files
   test/core/verification/closed_forms_test.cpp
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
+  test/core/verification/stiffness_jump_test.cpp
   test/core/verification/waves_test.cpp
   test/files/csv_table_test.cpp
   test/files/csv_writer_test.cpp

@@ -7,6 +7,7 @@
 
 #include "tether_monitor/core/assembly/prescribed_ends.h"
 #include "tether_monitor/core/bodies/rigid_body_dynamics.h"
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
 
@@ -86,8 +87,10 @@ double axialShare(const DeployedCable& cable, const CableState& state, const Nod
     for (const QuadraturePoint& point : QUADRATURE)
     {
       const double l = cable.element(i).length;
-      const Vector3 x = interpolate(shapeFunctions(point.xi, l), elementCoords(shape, i));
-      const Vector3 t = interpolate(shapeSlopes(point.xi, l), elementCoords(state.q, i)).normalized();
+      const Vector3 x =
+          interpolate(shapeFunctions(point.xi, l), elementRates(cable.element(i), state.q, shape, i));
+      const Vector3 t =
+          interpolate(shapeSlopes(point.xi, l), elementCoords(cable.element(i), state.q, i)).normalized();
       const double weight = point.weight * l * cable.element(i).mass;
       along += weight * x.dot(t) * x.dot(t);
       all += weight * x.squaredNorm();

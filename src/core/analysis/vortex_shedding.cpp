@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 
 namespace tether_monitor::core
@@ -22,8 +23,9 @@ Piece middleOf(const DeployedCable& cable, const CableState& state, int i)
 {
   const double l = cable.element(i).length;
   const ShapeValues S = shapeFunctions(0.5, l);
-  return {interpolate(S, elementCoords(state.q, i)), interpolate(shapeSlopes(0.5, l), elementCoords(state.q, i)),
-          interpolate(S, elementCoords(state.v, i))};
+  const ElementCoords q = elementCoords(cable.element(i), state.q, i);
+  return {interpolate(S, q), interpolate(shapeSlopes(0.5, l), q),
+          interpolate(S, elementRates(cable.element(i), state.q, state.v, i))};
 }
 
 // Speed of transverse waves; 0 where slack.

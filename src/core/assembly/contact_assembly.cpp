@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "tether_monitor/core/element/element_coordinates.h"
+
 namespace tether_monitor::core
 {
 namespace
@@ -39,19 +41,23 @@ void addContact(const ContactScene& scene, const TangentWeights& weights, NodeFi
                 BlockTridiagonal* tangent, BorderedSystem* bordered)
 {
   ElementMatrix J;
+  ElementCoords force;
   for (int i = 0; i < static_cast<int>(scene.elements.size()); ++i)
   {
     bool any = false;
     forContacts(scene, i, weights,
                 [&](const TetherPoint& at, const ContactResponse& contact, int obstacle)
                 {
-                  if (!any && tangent)
+                  if (!any)
+                  {
                     J.setZero();
+                    force.setZero();
+                  }
                   any = true;
                   for (int a = 0; a < 4; ++a)
                   {
                     const double share = at.weight * at.shape[a];
-                    residual[i + a / 2].segment<3>(3 * (a % 2)) -= share * contact.force;
+                    force.segment<3>(3 * a) -= share * contact.force;
                     if (tangent)
                       for (int b = 0; b < 4; ++b)
                         J.block<3, 3>(3 * a, 3 * b) += share * at.shape[b] * contact.stiffness;
@@ -59,8 +65,16 @@ void addContact(const ContactScene& scene, const TangentWeights& weights, NodeFi
                   if (bordered && obstacle >= 0 && bordered->has(obstacle))
                     addToObstacle(i, at, contact, obstacle, *bordered);
                 });
-    if (any && tangent)
+    if (!any)
+      continue;
+    if (tangent)
+    {
+      pullBack(scene.elements[i], scene.state.q, i, force, weights.stiffness, J);
       tangent->addElement(i, J);
+    }
+    pullBack(scene.elements[i], scene.state.q, i, force);
+    residual[i] += force.head<6>();
+    residual[i + 1] += force.tail<6>();
   }
 }
 
@@ -107,7 +121,8 @@ void commitFriction(const std::vector<ElementParameters>& elements, const Enviro
   {
     // Where nothing is touched, a spring is tied to where the point is.
     std::array<Vector3, CONTACT_POINTS> bed, other;
-    const ElementCoords q = elementCoords(state.q, i), v = elementCoords(state.v, i);
+    const ElementCoords q = elementCoords(elements[i], state.q, i);
+    const ElementCoords v = elementRates(elements[i], state.q, state.v, i);
     for (int g = 0; g < CONTACT_POINTS; ++g)
       bed[g] = other[g] = tetherPoint(scene, i, g, q, v).r;
     forContacts(scene, i, TangentWeights{},

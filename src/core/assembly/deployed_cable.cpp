@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tether_monitor/core/base/gravity.h"
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/slack_regularisation.h"
 
 namespace tether_monitor::core
@@ -26,6 +27,26 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   e.natural_stretch = 1.0 + p.permanent_elongation;
   e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.compression_stiffness_ratio};
   e.bending_stiffness = small.bending_stiffness;
+  return e;
+}
+
+// A jump that is none but for rounding.
+bool isAlike(double a, double b)
+{
+  return std::abs(a - b) <= 1e-12 * std::abs(a + b);
+}
+
+SlopeTransition transitionTo(const ElementParameters& softer, const ElementParameters& own)
+{
+  return {true, softer.axial.stiffness / own.axial.stiffness, softer.natural_stretch, own.natural_stretch};
+}
+
+// What the kernels are given in place of a joined element: as long, but nothing acts on it.
+ElementParameters withoutForces(ElementParameters e)
+{
+  e.mass = e.area = e.drag_normal = e.drag_tangential = e.added_mass = e.added_mass_tangential = 0.0;
+  e.axial.stiffness = e.axial.damping = e.bending_stiffness = e.compression = 0.0;
+  e.transport = AxialTransport();
   return e;
 }
 }  // namespace
@@ -92,12 +113,36 @@ void DeployedCable::setElements()
   const double growing = model_.length(deployment_) - model_.mesh().fixedLength();
   double covered = 0.0;  // fraction of the growing piece before an element
   for (int i = 0; i < elements(); ++i)
-  {
     setElement(i, growing, covered);
-    assembler_.set(i, elements_[i]);
-  }
+  joinAtStiffnessJumps();
+  joined_.clear();
+  for (int i = 0; i < elements(); ++i)
+    passToAssembler(i);
   arc_length_.back() = model_.length(deployment_);
   updateScales();
+}
+
+// (M30)
+void DeployedCable::joinAtStiffnessJumps()
+{
+  for (int i = 0; i + 1 < elements(); ++i)
+  {
+    ElementParameters &a = elements_[i], &b = elements_[i + 1];
+    if (isAlike(a.axial.stiffness, b.axial.stiffness) && isAlike(a.natural_stretch, b.natural_stretch))
+      continue;
+    if (a.axial.stiffness > b.axial.stiffness)
+      a.at_b = transitionTo(b, a);
+    else
+      b.at_a = transitionTo(a, b);
+  }
+}
+
+void DeployedCable::passToAssembler(int i)
+{
+  const ElementParameters& e = elements_[i];
+  assembler_.set(i, e.isJoined() ? withoutForces(e) : e);
+  if (e.isJoined())
+    joined_.set(i, e);
 }
 
 void DeployedCable::updateScales()
@@ -121,7 +166,7 @@ void DeployedCable::stiffen(double floor)
     ElementParameters& e = elements_[i];
     const double EI = floor * e.mass * STANDARD_GRAVITY * e.length * e.length * e.length;
     e.bending_stiffness = std::max(EI, e.bending_stiffness);
-    assembler_.set(i, e);
+    passToAssembler(i);
   }
 }
 
@@ -140,6 +185,7 @@ void DeployedCable::assemble(const CableState& state, NodeField& residual) const
       residual[first + i + 1] += parts[i].tail<6>();
     }
   }
+  joined_.addTo(model_.kernel(), environment(), state, residual);
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     addLumpedAttachment(attachment, environment(), state, residual);
   if (environment().hasContact())
@@ -150,6 +196,7 @@ void DeployedCable::assemble(const CableState& state, const TangentWeights& weig
                              BlockTridiagonal& tangent, TangentKind kind, BorderedSystem* bordered) const
 {
   assembler_.assemble(model_.kernel(), environment(), state, weights, kind, residual, tangent);
+  joined_.addTo(model_.kernel(), environment(), state, weights, kind, residual, tangent);
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     addLumpedAttachment(attachment, environment(), state, weights, residual, tangent);
   if (environment().hasContact())
@@ -161,6 +208,9 @@ int DeployedCable::elementResiduals(int first, const CableState& state,
 {
   const int count = std::min(kernel::BLOCK, elements() - first);
   assembler_.residuals(model_.kernel(), environment(), state, first, count, out.data());
+  for (int i = 0; i < count; ++i)
+    if (elements_[first + i].isJoined())
+      out[i] = joined_.residual(first + i, model_.kernel(), environment(), state);
   if (environment().hasContact())
     for (int i = 0; i < count; ++i)
       out[i] += elementContact(contactScene(state), first + i);
@@ -172,8 +222,9 @@ ElementEnergy DeployedCable::energy(const NodeField& q, const NodeField& v) cons
   ElementEnergy sum{0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < elements(); ++i)
   {
+    const ElementParameters& p = elements_[i];
     const ElementEnergy e =
-        elementEnergy(elements_[i], environment().gravity(), elementCoords(q, i), elementCoords(v, i));
+        elementEnergy(p, environment().gravity(), elementCoords(p, q, i), elementRates(p, q, v, i));
     sum.axial += e.axial;
     sum.bending += e.bending;
     sum.kinetic += e.kinetic;

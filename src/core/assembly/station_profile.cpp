@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
 
@@ -58,7 +59,7 @@ void computeStations(const DeployedCable& cable, const CableState& state, Statio
   for (int i = 0; i < N; ++i)
   {
     const double l = cable.element(i).length;
-    const ElementCoords q = elementCoords(state.q, i);
+    const ElementCoords q = elementCoords(cable.element(i), state.q, i);
     if (i % kernel::BLOCK == 0)
       cable.elementResiduals(i, state, parts);
     const ElementCoords& force = parts[i % kernel::BLOCK];

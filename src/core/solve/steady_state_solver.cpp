@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tether_monitor/core/bodies/rigid_body_dynamics.h"
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
 #include "tether_monitor/core/solve/starting_shape.h"
@@ -55,7 +56,8 @@ bool isFolded(const DeployedCable& cable, const NodeField& q)
 {
   for (int i = 0; i < cable.elements(); ++i)
     for (const QuadraturePoint& point : QUADRATURE)
-      if (interpolate(shapeSlopes(point.xi, cable.element(i).length), elementCoords(q, i)).norm() < FOLDED)
+      if (interpolate(shapeSlopes(point.xi, cable.element(i).length), elementCoords(cable.element(i), q, i))
+              .norm() < FOLDED)
         return true;
   return false;
 }

@@ -4,7 +4,7 @@
 
 #include "tether_monitor/core/cable/cable_state.h"
 #include "tether_monitor/core/contact/contact_law.h"
-#include "tether_monitor/core/element/element_parameters.h"
+#include "tether_monitor/core/element/element_coordinates.h"
 #include "tether_monitor/core/element/hermite_shape_functions.h"
 #include "tether_monitor/core/element/quadrature.h"
 #include "tether_monitor/core/environment/environment_model.h"
@@ -57,7 +57,8 @@ void forContacts(const ContactScene& scene, int i, const TangentWeights& w, cons
   if (!near.floor && !near.obstacle)
     return;
   const double diameter = scene.elements[i].contact_diameter;
-  const ElementCoords q = elementCoords(scene.state.q, i), v = elementCoords(scene.state.v, i);
+  const ElementParameters& p = scene.elements[i];
+  const ElementCoords q = elementCoords(p, scene.state.q, i), v = elementRates(p, scene.state.q, scene.state.v, i);
   for (int g = 0; g < CONTACT_POINTS; ++g)
   {
     const TetherPoint at = tetherPoint(scene, i, g, q, v);

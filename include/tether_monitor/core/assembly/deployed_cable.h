@@ -7,6 +7,7 @@
 #include "tether_monitor/core/assembly/contact_assembly.h"
 #include "tether_monitor/core/assembly/element_assembly.h"
 #include "tether_monitor/core/assembly/element_equations.h"
+#include "tether_monitor/core/assembly/joined_elements.h"
 
 namespace tether_monitor::core
 {
@@ -68,6 +69,8 @@ class DeployedCable
  private:
   void setElements();
   void setElement(int i, double growing, double& covered);
+  void joinAtStiffnessJumps();
+  void passToAssembler(int i);
   void updateScales();
 
   CableModel model_;
@@ -75,6 +78,7 @@ class DeployedCable
   bool stiffened_ = false;
   std::vector<ElementParameters> elements_;
   ElementAssembler assembler_;
+  JoinedElements joined_;
   std::vector<double> arc_length_;
   double force_scale_ = 0.0, mass_ = 0.0, largest_stiffness_ = 0.0;
 };

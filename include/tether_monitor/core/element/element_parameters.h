@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/element/axial_law.h"
+#include "tether_monitor/core/element/slope_transition.h"
 
 namespace tether_monitor::core
 {
@@ -41,6 +42,10 @@ struct ElementParameters
   double compression = 0.0;        ///< relative change of diameter per metre of depth [1/m], >= 0.
   double natural_stretch = 1.0;    ///< lambda_0 = 1 + permanent elongation [-].
   AxialTransport transport;
+  SlopeTransition at_a, at_b;  ///< where a neighbour is softer.
+
+  /// True if a slope of its own is not that of the node.
+  bool isJoined() const { return at_a.active || at_b.active; }
 };
 
 }  // namespace tether_monitor::core
