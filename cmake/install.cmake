@@ -27,7 +27,7 @@ install(DIRECTORY config launch rviz DESTINATION ${share_folder})
 if(NOT WITH_ROS)
   include(CMakePackageConfigHelpers)
   file(WRITE ${CMAKE_BINARY_DIR}/tether_monitorConfig.cmake
-    "include(CMakeFindDependencyMacro)\nfind_dependency(Eigen3 3.3 NO_MODULE)\n"
+    "include(CMakeFindDependencyMacro)\nfind_dependency(Eigen3 3.3 NO_MODULE)\nfind_dependency(Threads)\n"
     "include(\"\${CMAKE_CURRENT_LIST_DIR}/tether_monitor-targets.cmake\")\n")
   write_basic_package_version_file(${CMAKE_BINARY_DIR}/tether_monitorConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)

@@ -68,6 +68,7 @@ set(test_files
   test/monitor/estimator/observed_vehicle_faults_test.cpp
   test/monitor/estimator/obstacle_tracker_test.cpp
   test/monitor/estimator/payout_follower_test.cpp
+  test/monitor/estimator/start_worker_test.cpp
   test/monitor/estimator/steady_start_test.cpp
   test/monitor/estimator/tether_estimator_test.cpp
   test/monitor/estimator/tracked_body_test.cpp

@@ -100,6 +100,8 @@ int findSteadyState(const Arguments& arguments)
 
   if (!config.environment.waves.isCalm() && !arguments.quiet)
     std::cout << "notice: waves are left out of a steady state\n";
+  if (velocity.z() != 0.0 && !arguments.quiet)
+    std::cout << "notice: the vertical velocity is left out of a steady state: it cannot last\n";
 
   const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity, arguments.modes);
   const monitor::TetherEstimate& estimate = steady.estimate;

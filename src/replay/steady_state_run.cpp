@@ -13,8 +13,10 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
     calm.vehicle_mode = monitor::VehicleMode::TRACKED;
   monitor::TetherEstimator estimator(calm);
   monitor::EndTargets ends;
-  ends.vessel = {vessel + config.vessel.attachment, velocity};
-  ends.vehicle = {vehicle + config.vehicle.attachment, velocity};
+  core::Vector3 level = velocity;
+  level.z() = 0.0;  // heave is no steady motion
+  ends.vessel = {vessel + config.vessel.attachment, level};
+  ends.vehicle = {vehicle + config.vehicle.attachment, level};
 
   SteadyState result;
   result.estimate = estimator.begin(0.0, ends);

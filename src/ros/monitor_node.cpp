@@ -31,6 +31,7 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     adapter_(estimator_, transforms_),
     updater_(nh, private_nh, private_nh.getNamespace())
 {
+  estimator_.setBackgroundStart(true);
   const monitor::Config& config = estimator_.config();
   state_pub_ = private_nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
   vessel_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", OUTPUT_QUEUE);

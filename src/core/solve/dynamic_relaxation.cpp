@@ -26,7 +26,7 @@ constexpr double REST_DRIFT = 2e-3;      // of the end forces in a minute; 3e-3 
 constexpr double STILL_DRIFT = 1e-6;     // likewise, in an interval of a tether that stands
 constexpr double STANDING = 1e-5;        // [m/s]
 constexpr int MOST_ITERATIONS = 100000;  // of one watch
-constexpr double LEAST_FORCE = 0.01;     // of the dry weight: a tether that weighs nothing has no end forces
+constexpr double LEAST_FORCE = 1e-3;     // of the dry weight: a tether that weighs nothing has no end forces
 
 double change(const EndForces& a, const EndForces& b)
 {

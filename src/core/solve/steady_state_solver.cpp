@@ -20,7 +20,8 @@ constexpr double HOMOTOPY_STIFFNESS[] = {100.0, 10.0, 1.0, 0.1};  // EI / (m g l
 constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};           // of their stiffness
 constexpr double CREEP_TOLERANCE =
     3e-5;  // residual over the weight scale with which a slack tether counts as at rest
-constexpr double INTERMEDIATE_TOLERANCE = 1e-4;  // relative tolerance of the first steps
+constexpr double INTERMEDIATE_TOLERANCE = 1e-4;  // relative tolerance of the first steps,
+constexpr double COARSE_ELEMENTS = 50.0;         // with so many elements; a node of more carries less
 constexpr double NEWTON_SWITCH =
     1e9;  // growth of tau over the first step at which the continuation is Newton's method
 
@@ -220,8 +221,9 @@ SolveReport SteadyStateSolver::pseudoTransientContinuation(Search& search)
     // At first a rough solution of each step is enough; the last step has no metric and must be exact.
     NewtonOptions newton = options_.newton;
     if (!is_newton)
-      newton.relative_tolerance =
-          std::max(newton.relative_tolerance, INTERMEDIATE_TOLERANCE / std::sqrt(std::max(tau / tau_0, 1.0)));
+      newton.relative_tolerance = std::max(
+          newton.relative_tolerance, INTERMEDIATE_TOLERANCE * std::min(1.0, COARSE_ELEMENTS / cable.elements()) /
+                                         std::sqrt(std::max(tau / tau_0, 1.0)));
     const SolveReport report = pseudoTimeStep(is_newton ? 0.0 : 1.0 / tau, newton, search, iterations_left);
     total.iterations += report.iterations;
     total.residual = report.residual;

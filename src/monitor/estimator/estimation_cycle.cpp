@@ -15,6 +15,7 @@ namespace
 {
 constexpr double ABSURD = 10.0;         // breaking loads: no tether carries that, an input is wrong
 constexpr double SETTLING_TIME = 60.0;  // [s] that a tether which was not at rest is given
+constexpr int CATCH_UP_STEPS = 10;      // of a period in a tick: a start that took long is followed by more motion
 constexpr double START_RETRY = 1.0;     // [s] between attempts to find a steady state
 }  // namespace
 
@@ -51,6 +52,7 @@ bool EstimationCycle::setDepth(double depth)
 
 std::vector<std::string> EstimationCycle::setObstacles(double t, const std::vector<core::Obstacle>& obstacles)
 {
+  forgetStart();
   std::vector<std::string> faults = obstacles_.set(t, obstacles, isRunning(), simulation_, *vehicle_);
   if (faults.empty())
     estimate_.contact.obstacles.resize(obstacles.size());
@@ -70,21 +72,25 @@ void EstimationCycle::reset()
   watchdog_.clear();
   invalidate(Reason::NO_INPUT, estimate_);
   phase_ = Phase::IDLE;
+  forgetStart();
+}
+
+EndTargets EstimationCycle::targetsInMotion(double t)
+{
+  EndTargets targets;
+  vessel_->aim(t, targets);
+  vehicle_->aim(t, targets);
+  payout_.aim(t, targets);
+  return targets;
 }
 
 EndTargets EstimationCycle::targetsAt(double t)
 {
-  EndTargets targets;
   if (isRunning())
-  {
-    vessel_->aim(t, targets);
-    vehicle_->aim(t, targets);
-  }
-  else
-  {
-    vessel_->aimAtStart(t, targets);
-    vehicle_->aimAtStart(t, targets);
-  }
+    return targetsInMotion(t);
+  EndTargets targets;
+  vessel_->aimAtStart(t, targets);
+  vehicle_->aimAtStart(t, targets);
   payout_.aim(t, targets);
   return targets;
 }
@@ -110,6 +116,13 @@ void EstimationCycle::announceStart(double t)
 {
   phase_ = Phase::STARTING;
   retry_start_at_ = t;
+  forgetStart();
+}
+
+void EstimationCycle::forgetStart()
+{
+  catches_up_ = false;
+  start_worker_.discard();
 }
 
 const TetherEstimate& EstimationCycle::refuse(double t, Reason reason)
@@ -132,6 +145,7 @@ const TetherEstimate& EstimationCycle::tick(double t)
       reset();
     phase_ = Phase::WAITING;
     retry_start_at_ = t;
+    forgetStart();
     updateAges(t);
     return refuse(t, Reason::CLOCK_JUMP);
   }
@@ -150,14 +164,69 @@ const TetherEstimate& EstimationCycle::tick(double t)
   }
   if (t < retry_start_at_)
     return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
-  return begin(t, targetsAt(t));
+  return starts_in_background_ ? startInBackground(t) : begin(t, targetsAt(t));
 }
 
 bool EstimationCycle::start(double t, const EndTargets& ends)
 {
   phase_ = Phase::STARTING;
+  return adopt(findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends), t, ends);
+}
+
+// A tick launches the search, or waits for it, or follows the ends from the time of the start to its own.
+const TetherEstimate& EstimationCycle::startInBackground(double t)
+{
+  start_worker_.collect();
+  if (!catches_up_)
+  {
+    if (start_worker_.isIdle())
+      start_worker_.search(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, targetsAt(t));
+    else if (start_worker_.isReady() && !adoptFound(t))
+      return refuse(t, Reason::NOT_CONVERGED);
+    return refuse(t, Reason::SETTLING);
+  }
+  EndTargets ends;
+  for (int k = 0; k < CATCH_UP_STEPS && simulation_.state.time < t; ++k)
+  {
+    const double next = std::min(t, simulation_.state.time + 1.0 / config_.rate);
+    ends = targetsInMotion(next);
+    simulation_.last_solve = step(next, ends);
+    if (!simulation_.last_solve.converged())
+    {
+      announceStart(t);
+      return refuse(t, Reason::NOT_CONVERGED);
+    }
+  }
+  if (simulation_.state.time < t)
+    return refuse(t, Reason::SETTLING);
+  catches_up_ = false;
+  phase_ = Phase::RUNNING;
+  setAges(ends);
+  return publish(ends);
+}
+
+// Currents and depths that came during the search are those of now.
+bool EstimationCycle::adoptFound(double now)
+{
+  const core::EnvironmentModel latest = simulation_.model.environment();
+  double t;
+  EndTargets ends;
+  SteadyStart found = start_worker_.take(t, ends);
+  if (!adopt(std::move(found), t, ends))
+  {
+    retry_start_at_ = now + START_RETRY;
+    return false;
+  }
+  setEnvironment(
+      latest.withOrigin(simulation_.origin()).withObstacles(simulation_.model.environment().obstacles()));
+  phase_ = Phase::STARTING;
+  catches_up_ = true;
+  return true;
+}
+
+bool EstimationCycle::adopt(SteadyStart found, double t, const EndTargets& ends)
+{
   retry_start_at_ = t + START_RETRY;
-  SteadyStart found = findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends);
   simulation_.last_solve = found.simulation.last_solve;
   const bool is_at_rest = simulation_.last_solve.converged();
   if (!found.is_found)

@@ -28,7 +28,16 @@ double FreeVehicleEnd::age(double t, bool /*running*/) const
 core::SolveReport FreeVehicleEnd::findStart(CableSimulation& simulation, const core::SteadyEnds& ends,
                                             const EndTargets& /*targets*/, VehicleInitialization& start) const
 {
-  return core::findSteadyState(simulation.steady_solver, simulation.model, ends, start.shape);
+  return core::findSteadyState(simulation.steady_solver, modelAtRest(simulation.model, start), ends, start.shape);
+}
+
+// Level, its bow along x: the thrust's axes are the world's.
+core::CableModel FreeVehicleEnd::modelAtRest(const core::CableModel& model,
+                                             const VehicleInitialization& /*start*/) const
+{
+  core::EndBodies bodies = model.bodies();
+  bodies.vehicle->force += thrust_.force;
+  return model.withBodies(bodies);
 }
 
 core::SolveReport FreeVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& /*targets*/, double t,

@@ -23,7 +23,7 @@ class StartSearch
   bool run(double t, const std::vector<core::Obstacle>& obstacles)
   {
     return placeOrigin(obstacles) && setLength() && findShape() && refineMesh() && enterState(t) &&
-           amplifyDrag() && settleContact();
+           amplifyDrag() && settleContact() && addHeave();
   }
 
  private:
@@ -34,7 +34,9 @@ class StartSearch
     const core::Vector3 origin(targets_.vessel.position.x(), targets_.vessel.position.y(), 0.0);
     simulation_.model = simulation_.model.withEnvironment(
         simulation_.model.environment().withObstacles(obstacles).withOrigin(origin));
-    ends_ = {targets_.vessel.position - origin, targets_.vehicle.position - origin, targets_.vessel.velocity, {}};
+    core::Vector3 mean_velocity = targets_.vessel.velocity;
+    mean_velocity.z() = 0.0;
+    ends_ = {targets_.vessel.position - origin, targets_.vehicle.position - origin, mean_velocity, {}};
     return true;
   }
 
@@ -93,7 +95,7 @@ class StartSearch
 
   bool enterState(double t)
   {
-    simulation_.state = core::CableState(t, start_.vehicle.shape, targets_.vessel.velocity, ends_.deployment);
+    simulation_.state = core::CableState(t, start_.vehicle.shape, ends_.velocity, ends_.deployment);
     return true;
   }
 
@@ -124,6 +126,23 @@ class StartSearch
     else if (!settled.isUsable())
       return false;
     return isFound();
+  }
+
+  // The ends' motion of the moment on top of the mean: in between by the arc length, as a taut tether moves.
+  bool addHeave()
+  {
+    const bool is_held = !simulation_.model.bodies().vehicle;
+    const core::Vector3 vessel = targets_.vessel.velocity - ends_.velocity;
+    const core::Vector3 vehicle =
+        is_held ? core::Vector3(targets_.vehicle.velocity - ends_.velocity) : core::Vector3::Zero();
+    const core::DeployedCable& cable = simulation_.updatedCable();
+    for (int i = 0; i < cable.nodes(); ++i)
+    {
+      const double share = cable.arcLength(i) / cable.length();
+      simulation_.state.v[i].head<3>() += (1.0 - share) * vessel + share * vehicle;
+      simulation_.state.v[i].tail<3>() += (vehicle - vessel) / cable.length();
+    }
+    return true;
   }
 
   const Config& config_;

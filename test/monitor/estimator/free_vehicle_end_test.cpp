@@ -52,6 +52,28 @@ TEST(FreeVehicle, ThrustMovesIt)
   EXPECT_GT(e.vehicle.position.y() - before, 1.0);
 }
 
+TEST(FreeVehicle, UnderThrustItStartsWhereThatHoldsIt)
+{
+  Config config = towedFish();
+  config.vehicle.attachment = core::Vector3::Zero();
+  config.vehicle_body.volume = 150.0 / 1025.0;  // neutral: what pulls at the tether is the thrust
+  TetherEstimator estimator(config);
+  const core::Wrench thrust{core::Vector3(120.0, 40.0, -60.0), core::Vector3::Zero()};
+  estimator.setThrust(0.0, thrust);
+  EndTargets ends;
+  ends.vessel = {core::Vector3::Zero(), core::Vector3::Zero()};
+  ASSERT_EQ(estimator.begin(0.0, ends).status, Status::OK);
+  const core::Vector3 place = estimator.estimate().vehicle.position;
+  EXPECT_NEAR(estimator.estimate().vehicle_tension, thrust.force.norm(), 1e-3);
+  EXPECT_GT(place.x(), 50.0);
+  for (double t = 0.05; t < 60.0; t += 0.05)
+  {
+    estimator.setThrust(t, thrust);
+    ASSERT_EQ(estimator.advance(t, ends).status, Status::OK);
+  }
+  EXPECT_LT((estimator.estimate().vehicle.position - place).norm(), 1e-3) << "in a minute";
+}
+
 TEST(FreeVehicle, IsTowedToTheSteadyState)
 {
   Config config = towedFish();

@@ -79,4 +79,31 @@ TEST(Settling, AbsurdTensionIsNoNumber)
   EXPECT_TRUE(std::isnan(e.max_tension));
 }
 
+// A slack tether under a vessel that sinks at the moment: it would rise above the water if that lasted.
+TEST(Settling, StartsOnTheMeanMotionAndHeaveComesOnTop)
+{
+  const Config config = testConfig();
+  EndTargets still, heaving;
+  still.vessel = {{0.0, 0.0, 0.0}, {0.4, 0.0, 0.0}};
+  still.vehicle = {{40.0, 0.0, -60.0}, {0.4, 0.0, 0.0}};
+  heaving = still;
+  heaving.vessel.velocity.z() = -1.0;
+  TetherEstimator calm(config), tossed(config);
+  ASSERT_EQ(calm.begin(0.0, still).status, Status::OK);
+  ASSERT_EQ(tossed.begin(0.0, heaving).status, Status::OK);
+  const core::CableState &a = calm.simulation().state, &b = tossed.simulation().state;
+  for (std::size_t i = 0; i < a.q.size(); ++i)
+    EXPECT_EQ(a.q[i], b.q[i]) << "the same shape";
+  EXPECT_EQ(b.v.front().head<3>(), core::Vector3(0.4, 0.0, -1.0));
+  EXPECT_EQ(b.v.back().head<3>(), core::Vector3(0.4, 0.0, 0.0));
+  for (double t = 0.05; t < 10.0; t += 0.05)
+  {
+    EndTargets ends = heaving;
+    ends.vessel.position += core::Vector3(0.4 * t, 0.0, -std::sin(t));
+    ends.vessel.velocity.z() = -std::cos(t);
+    ends.vehicle.position.x() += 0.4 * t;
+    ASSERT_EQ(tossed.advance(t, ends).status, Status::OK) << t << " s";
+  }
+}
+
 }  // namespace tether_monitor::monitor

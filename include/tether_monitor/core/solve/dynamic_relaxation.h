@@ -14,7 +14,7 @@ struct RestReport
 
 /**
  * Watches whether a steady state is at rest: steps it with its ends in uniform motion until its end forces have
- * changed by less than 0.2 % of the larger (or of 1 % of the dry weight, if that is more) for a minute.
+ * changed by less than 0.2 % of the larger (or of 0.1 % of the dry weight, if that is more) for a minute.
  *
  * @param velocity  of the ends [m/s].
  * @param longest   time to watch [s].

@@ -9,6 +9,7 @@
 #include "tether_monitor/monitor/estimator/input_watchdog.h"
 #include "tether_monitor/monitor/estimator/obstacle_tracker.h"
 #include "tether_monitor/monitor/estimator/payout_follower.h"
+#include "tether_monitor/monitor/estimator/start_worker.h"
 #include "tether_monitor/monitor/estimator/vehicle_end.h"
 #include "tether_monitor/monitor/estimator/vessel_end.h"
 #include "tether_monitor/monitor/estimator/vortex_shedding_monitor.h"
@@ -53,6 +54,8 @@ class EstimationCycle
   const TetherEstimate& begin(double t, const EndTargets& ends);
   const TetherEstimate& advance(double t, const EndTargets& ends);
   void reset();
+  /// Whether tick() looks for a start in a thread of its own, and is SETTLING meanwhile.
+  void setBackgroundStart(bool background) { starts_in_background_ = background; }
 
   const TetherEstimate& estimate() const { return estimate_; }
   Phase phase() const { return phase_; }
@@ -70,10 +73,15 @@ class EstimationCycle
  private:
   friend class EstimatorSnapshot;
   EndTargets targetsAt(double t);
+  EndTargets targetsInMotion(double t);
   void updateAges(double t);
   void setAges(const EndTargets& ends);
   void announceStart(double t);
   bool start(double t, const EndTargets& ends);
+  const TetherEstimate& startInBackground(double t);
+  bool adopt(SteadyStart found, double t, const EndTargets& ends);
+  bool adoptFound(double now);
+  void forgetStart();
   core::SolveReport step(double t, const EndTargets& ends);
   const TetherEstimate& publish(const EndTargets& ends);
   const TetherEstimate& refuse(double t, Reason reason);
@@ -88,6 +96,9 @@ class EstimationCycle
   InputWatchdog watchdog_;
   VortexSheddingMonitor vortex_shedding_;
   Phase phase_ = Phase::IDLE;
+  StartWorker start_worker_;
+  bool starts_in_background_ = false;
+  bool catches_up_ = false;      // a start has been found for a time that has passed
   double retry_start_at_ = 0.0;  // [s]
   double settles_until_ = 0.0;   // [s]; the tether was not at rest where it started
   TetherEstimate estimate_;

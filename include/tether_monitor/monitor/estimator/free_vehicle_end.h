@@ -27,6 +27,7 @@ class FreeVehicleEnd final : public VehicleEnd
   void aimAtStart(double t, EndTargets& targets) override { aim(t, targets); }
   core::SolveReport findStart(CableSimulation& simulation, const core::SteadyEnds& ends, const EndTargets& targets,
                               VehicleInitialization& start) const override;
+  core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& start) const override;
   core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                             CableSimulation& simulation) override;
   void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;

@@ -79,6 +79,10 @@ class TetherEstimator
   /// Steps to time t [s] towards `ends`; begin() must have succeeded, else as begin().
   const TetherEstimate& advance(double t, const EndTargets& ends) { return watched(cycle_.advance(t, ends)); }
 
+  /// With true, tick() looks for a start in a thread of its own: no tick waits for it; the status is SETTLING
+  /// meanwhile. Default false: the same input gives the same output. Not saved.
+  void setBackgroundStart(bool background) { cycle_.setBackgroundStart(background); }
+
   /// Forgets motion, measurements and settles anew. Alarms stay as they are.
   void reset();
   /// Acknowledges all alarms at the time of the last estimate. @return how many changed.
