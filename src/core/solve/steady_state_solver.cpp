@@ -15,6 +15,7 @@ namespace tether_monitor::core
 namespace
 {
 constexpr double FOLDED = 0.3;       // |r'| [-] below which an element is folded
+constexpr double COMPRESSED = 0.9;   // of its natural length, below which it stands like a strut
 constexpr double FIRST_MOVE = 0.01;  // first step: the load moves the tether by this share of its length
 constexpr double HOMOTOPY_STIFFNESS[] = {100.0, 10.0, 1.0, 0.1};  // EI / (m g l^3) of the helpers [-]
 constexpr double OBSTACLE_SHARES[] = {1e-4, 1e-2, 1.0};           // of their stiffness
@@ -53,13 +54,24 @@ void addMetricForce(const DeployedCable& cable, double scale, const NodeField& q
   }
 }
 
+// No tether is: an element turned inside out, or a strut in a balance that the least push would end.
 bool isFolded(const DeployedCable& cable, const NodeField& q)
 {
   for (int i = 0; i < cable.elements(); ++i)
+  {
+    const ElementParameters& p = cable.element(i);
+    const ElementCoords e = elementCoords(p, q, i);
+    double stretch = 0.0;
     for (const QuadraturePoint& point : QUADRATURE)
-      if (interpolate(shapeSlopes(point.xi, cable.element(i).length), elementCoords(cable.element(i), q, i))
-              .norm() < FOLDED)
+    {
+      const double slope = interpolate(shapeSlopes(point.xi, p.length), e).norm();
+      if (slope < FOLDED)
         return true;
+      stretch += point.weight * slope;
+    }
+    if (stretch < COMPRESSED * p.natural_stretch)
+      return true;
+  }
   return false;
 }
 

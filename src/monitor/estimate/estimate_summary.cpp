@@ -18,16 +18,35 @@ double angleBelow(const core::Vector3& direction)
 {
   return std::atan2(-direction.z(), std::hypot(direction.x(), direction.y()));
 }
+// Load at an end: tension, and the shear that a stiff tether carries there. A push is none.
+double loadAtEnd(double tension, const core::Vector3& force)
+{
+  const double shear = std::sqrt(std::max(force.squaredNorm() - tension * tension, 0.0));
+  return shear > 0.0 ? std::hypot(std::max(tension, 0.0), shear) : tension;
+}
+
+// Load at a station [N]: its tension; at the ends see above.
+double loadAt(const core::StationProfile& at, std::size_t station)
+{
+  if (station == 0)
+    return loadAtEnd(at.tension.front(), at.ends.vessel);
+  if (station + 1 == at.tension.size())
+    return loadAtEnd(at.tension.back(), at.ends.vehicle);
+  return at.tension[station];
+}
 }  // namespace
 
 void summarize(const core::DeployedCable& cable, TetherEstimate& e)
 {
   const core::StationProfile& at = e.stations;
-  const auto most = std::max_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < at.tension.size(); ++k)
+    if (loadAt(at, k) > loadAt(at, most))
+      most = k;
   const auto least = std::min_element(at.tension.begin(), at.tension.end()) - at.tension.begin();
   const auto bend = std::min_element(at.bend_radius.begin(), at.bend_radius.end()) - at.bend_radius.begin();
   e.length = at.s.back();
-  e.max_tension = at.tension[most];
+  e.max_tension = loadAt(at, most);
   e.max_tension_s = at.s[most];
   e.min_tension = at.tension[least];
   e.min_tension_s = at.s[least];
@@ -39,9 +58,9 @@ void summarize(const core::DeployedCable& cable, TetherEstimate& e)
   for (int i = 0; i < cable.elements(); ++i)
     for (int k = 2 * i; k <= 2 * i + 2; ++k)
     {
-      const double working = at.tension[k] / cable.model().elementProperties(i).working_load;
+      const double load = loadAt(at, k), working = load / cable.model().elementProperties(i).working_load;
       e.breaking_utilisation =
-          std::max(e.breaking_utilisation, at.tension[k] / cable.model().elementProperties(i).breaking_load);
+          std::max(e.breaking_utilisation, load / cable.model().elementProperties(i).breaking_load);
       if (working > e.working_utilisation)
       {
         e.working_utilisation = working;

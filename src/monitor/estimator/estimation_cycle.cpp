@@ -170,7 +170,8 @@ const TetherEstimate& EstimationCycle::tick(double t)
 bool EstimationCycle::start(double t, const EndTargets& ends)
 {
   phase_ = Phase::STARTING;
-  return adopt(findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends), t, ends);
+  return adopt(findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends), t, ends,
+               t);
 }
 
 // A tick launches the search, or waits for it, or follows the ends from the time of the start to its own.
@@ -212,11 +213,8 @@ bool EstimationCycle::adoptFound(double now)
   double t;
   EndTargets ends;
   SteadyStart found = start_worker_.take(t, ends);
-  if (!adopt(std::move(found), t, ends))
-  {
-    retry_start_at_ = now + START_RETRY;
+  if (!adopt(std::move(found), t, ends, now))
     return false;
-  }
   setEnvironment(
       latest.withOrigin(simulation_.origin()).withObstacles(simulation_.model.environment().obstacles()));
   phase_ = Phase::STARTING;
@@ -224,13 +222,15 @@ bool EstimationCycle::adoptFound(double now)
   return true;
 }
 
-bool EstimationCycle::adopt(SteadyStart found, double t, const EndTargets& ends)
+bool EstimationCycle::adopt(SteadyStart found, double t, const EndTargets& ends, double now)
 {
-  retry_start_at_ = t + START_RETRY;
   simulation_.last_solve = found.simulation.last_solve;
   const bool is_at_rest = simulation_.last_solve.converged();
   if (!found.is_found)
+  {
+    retry_start_at_ = now + START_RETRY;
     return false;
+  }
   settles_until_ = is_at_rest ? t : t + SETTLING_TIME;
   simulation_ = std::move(found.simulation);
   vehicle_->begin(found.vehicle, ends, simulation_);

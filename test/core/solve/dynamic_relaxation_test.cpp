@@ -113,6 +113,31 @@ TEST(SettleContact, FrictionHoldsWhatItCan)
   EXPECT_EQ(later.q[30], rough.state.q[30]) << "what was at rest is left alone";
 }
 
+// Nothing bows it: a straight line, pushed together like a strut, would be an equilibrium too.
+TEST(FindSteadyState, ANeutralSlackTetherDoesNotPush)
+{
+  CableProperties p = towCable();
+  p.length = 100.0;
+  p.diameter = 0.02;
+  p.mass_per_length = 1025.0 * p.displacedArea();
+  p.axial_stiffness = 1e6;
+  const CableModel model(p, 20, Environment());
+  for (const Vector3& vehicle : {Vector3(60.0, 0.0, -20.0), Vector3(0.0, 0.0, -60.0), Vector3(80.0, 0.0, -30.0)})
+  {
+    SteadyEnds ends;
+    ends.vessel = {0.0, 0.0, -10.0};
+    ends.vehicle = vehicle;
+    SteadyStateSolver solver(model.nodes());
+    NodeField shape;
+    ASSERT_TRUE(findSteadyState(solver, model, ends, shape).isUsable());
+    const EndForces forces = endForces(model, CableState(0.0, shape, Vector3::Zero()));
+    EXPECT_LT(forces.vessel.norm(), 0.1) << vehicle.transpose();
+    StationProfile profile(20);
+    computeStations(DeployedCable(model), CableState(0.0, shape, Vector3::Zero()), profile);
+    EXPECT_NEAR(profile.stretched_length, 100.0, 0.01);
+  }
+}
+
 TEST(WatchRest, SeesAMotionAndFollowsIt)
 {
   LaidChain laid(0.0);

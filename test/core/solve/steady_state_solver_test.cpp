@@ -88,6 +88,21 @@ TEST(SteadyState, MovingThroughStillWaterEqualsStandingInACurrent)
   EXPECT_TRUE(matricesNear(moving.vessel, standing.vessel, 1e-6 * standing.vessel.norm()));
 }
 
+TEST(SteadyState, TheNumberOfElementsDoesNotDecideWhatCountsAsBalance)
+{
+  CableProperties p = towCable();
+  p.length = 150.0;
+  p.diameter = 0.017;
+  p.mass_per_length = 0.24;  // of which the water carries all but 3 %
+  p.axial_stiffness = 4e6;
+  SteadyEnds ends;
+  ends.vehicle = {80.0, 0.0, -100.0};
+  const double few = steadyForces(CableModel(p, 1000, Environment()), ends).vessel.norm();
+  const double many = steadyForces(CableModel(p, 4000, Environment()), ends).vessel.norm();
+  EXPECT_NEAR(few, 9.62, 0.1);
+  EXPECT_NEAR(many, few, 1e-2 * few);
+}
+
 TEST(SteadyState, GarbageEndsInAStatusAndLeavesTheShapeAlone)
 {
   CableModel model(towCable(), 10, Environment());

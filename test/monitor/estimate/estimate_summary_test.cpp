@@ -62,6 +62,20 @@ TEST(Summarize, FindsTheExtremesAndWhereTheyAre)
   EXPECT_NEAR(e.vehicle_end_angle, 0.0, 1e-14);
 }
 
+TEST(Summarize, TheShearOfAStiffTetherLoadsItsEndsAndAPushDoesNot)
+{
+  TetherEstimate e = measured();
+  e.stations.tension = {3000.0, 1000.0, 1000.0, 1000.0, -6000.0};
+  e.stations.ends.vehicle = {0.0, 8000.0, 6000.0};
+  summarize(twoElements(), e);
+  EXPECT_NEAR(e.max_tension, 8000.0, 1e-9);
+  EXPECT_EQ(e.max_tension_s, 400.0);
+  EXPECT_NEAR(e.breaking_utilisation, 8000.0 / 1.5e4, 1e-12);
+  e.stations.ends.vehicle = {0.0, 0.0, 6000.0};
+  summarize(twoElements(), e);
+  EXPECT_NEAR(e.max_tension, 5000.0, 1e-9) << "3000 N along it and 4000 N across at the vessel end";
+}
+
 TEST(Summarize, TheWeakerSectionCountsAtABoundaryOnWhicheverSideItIs)
 {
   for (const double weak_from : {200.0, 0.0})

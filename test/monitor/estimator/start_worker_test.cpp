@@ -56,6 +56,20 @@ TEST(BackgroundStart, LeadsToTheMotionThatAStartAtOnceLeadsTo)
       << "the sizes of its steps differ at first";
 }
 
+TEST(BackgroundStart, AnEasyStartTakesAFewTicks)
+{
+  TetherEstimator estimator(testConfig());
+  estimator.setBackgroundStart(true);
+  int k = 1;
+  for (; k < 100 && !estimator.isRunning(); ++k)
+  {
+    run(k, k + 1, estimator);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_NE(estimator.estimate().reason, Reason::NOT_CONVERGED);
+  }
+  EXPECT_LT(k, 10);
+}
+
 TEST(BackgroundStart, TicksGoOnWhileItIsLookedFor)
 {
   TetherEstimator estimator(slowConfig());

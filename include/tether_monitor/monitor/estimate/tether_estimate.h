@@ -22,7 +22,7 @@ struct TetherEstimate
 
   double length = NONE;                   ///< unstretched, deployed [m].
   double payout_rate = NONE;              ///< [m/s]; NaN when it is not reported.
-  double max_tension = NONE;              ///< [N]
+  double max_tension = NONE;              ///< [N]; at the ends with the shear that a stiff tether carries there.
   double max_tension_s = NONE;            ///< [m]
   double min_tension = NONE;              ///< [N]
   double min_tension_s = NONE;            ///< [m]

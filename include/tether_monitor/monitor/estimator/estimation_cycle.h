@@ -79,7 +79,7 @@ class EstimationCycle
   void announceStart(double t);
   bool start(double t, const EndTargets& ends);
   const TetherEstimate& startInBackground(double t);
-  bool adopt(SteadyStart found, double t, const EndTargets& ends);
+  bool adopt(SteadyStart found, double t, const EndTargets& ends, double now);
   bool adoptFound(double now);
   void forgetStart();
   core::SolveReport step(double t, const EndTargets& ends);
