@@ -157,7 +157,8 @@ const TetherEstimate& EstimationCycle::tick(double t)
     return refuse(t, missing);
   if (isRunning())
     return advance(t, targetsAt(t));
-  if (phase_ == Phase::WAITING || !canBegin(t))
+  const bool is_under_way = catches_up_ || !start_worker_.isIdle();
+  if (phase_ == Phase::WAITING || (!is_under_way && !canBegin(t)))
   {
     announceStart(t);
     return refuse(t, Reason::SETTLING);
