@@ -7,6 +7,7 @@ set(test_files
   test/core/analysis/dynamic_stiffness_test.cpp
   test/core/analysis/natural_modes_test.cpp
   test/core/assembly/cable_model_test.cpp
+  test/core/assembly/clamped_end_test.cpp
   test/core/assembly/contact_assembly_test.cpp
   test/core/assembly/deployed_cable_test.cpp
   test/core/assembly/joined_elements_test.cpp

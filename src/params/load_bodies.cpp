@@ -12,6 +12,8 @@ monitor::BodyConfig loadBody(ParameterReader& in)
   monitor::BodyConfig body;
   body.attachment = in.vector("attachment", body.attachment);
   body.frame = in.text("frame", body.frame);
+  if (in.has("clamped"))
+    body.clamped = in.vector("clamped");
   return body;
 }
 

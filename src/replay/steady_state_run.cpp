@@ -18,6 +18,11 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
   ends.vessel = {vessel + config.vessel.attachment, level};
   ends.vehicle = {vehicle + config.vehicle.attachment, level};
 
+  if (config.vessel.clamped)
+    ends.vessel_clamp = config.vessel.clamped->normalized();
+  if (config.vehicle.clamped)
+    ends.vehicle_clamp = -config.vehicle.clamped->normalized();
+
   SteadyState result;
   result.estimate = estimator.begin(0.0, ends);
   result.report = estimator.simulation().last_solve;

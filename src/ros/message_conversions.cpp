@@ -125,14 +125,13 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::str
 }
 
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,
-                                           const core::Vector3& force)
+                                           const core::Vector3& force, const core::Vector3& moment)
 {
   constexpr double NONE = monitor::TetherEstimate::NONE;
   geometry_msgs::WrenchStamped message;
   message.header = header;
   message.wrench.force = vectorMessage(estimate.has_stations ? force : core::Vector3::Constant(NONE));
-  message.wrench.torque =
-      vectorMessage(estimate.has_stations ? core::Vector3::Zero() : core::Vector3::Constant(NONE));
+  message.wrench.torque = vectorMessage(estimate.has_stations ? moment : core::Vector3::Constant(NONE));
   return message;
 }
 

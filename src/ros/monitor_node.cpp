@@ -137,8 +137,8 @@ void MonitorNode::publish(const ros::Time& stamp, double step_time)
   state_message_.header = header;
   state_message_.step_time = step_time;
   state_pub_.publish(state_message_);
-  vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel));
-  vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle));
+  vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel, e.stations.ends.vessel_moment));
+  vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle, e.stations.ends.vehicle_moment));
   publishVehicle(header);
   publishContacts(header);
   const bool due = (stamp - last_alarms_).toSec() >= ALARM_PERIOD || stamp < last_alarms_;

@@ -127,6 +127,23 @@ TEST(LoadConfig, ReadsTheWholeSea)
   EXPECT_EQ(c.environment.wind.x(), 3.0);
 }
 
+TEST(LoadConfig, AClampNeedsADirectionBendingStiffnessAndAHeldEnd)
+{
+  const Value clamp{Value::List{0.0, 0.0, -1.0}};
+  Value::Map stiff = tetherKeys();
+  stiff["bending_stiffness"] = 30.0;
+  const monitor::Config c = loadConfig(tree(stiff, {{"vessel", Value(Value::Map{{"clamped", clamp}})}}), "/test");
+  EXPECT_EQ(c.vessel.clamped, core::Vector3(0.0, 0.0, -1.0));
+  EXPECT_FALSE(c.vehicle.clamped);
+  EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vessel", Value(Value::Map{{"clamped", clamp}})}})).size(), 1u);
+  const Value nowhere{Value::List{0.0, 0.0, 0.0}};
+  EXPECT_EQ(faultsOf(tree(stiff, {{"vehicle", Value(Value::Map{{"clamped", nowhere}})}})).size(), 1u);
+  const Value::Map free{
+      {"clamped", clamp}, {"mode", std::string("free")},           {"mass", 100.0},
+      {"volume", 0.09},   {"inertia", Value::List{5.0, 5.0, 5.0}}, {"drag_area", Value::List{0.1, 0.1, 0.1}}};
+  EXPECT_EQ(faultsOf(tree(stiff, {{"vehicle", Value(free)}})).size(), 1u);
+}
+
 TEST(LoadConfig, FaultsOfTheSeaNameTheKey)
 {
   const Value::Map bad{{"shape", std::string("cone")}, {"pose", Value::Map{}}, {"size", Value::List{1.0, 2.0}}};

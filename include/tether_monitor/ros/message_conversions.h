@@ -35,7 +35,7 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::str
 
 /// A force [N] at a tether end; NaN while there is none.
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,
-                                           const core::Vector3& force);
+                                           const core::Vector3& force, const core::Vector3& moment);
 
 AlarmArray toMessage(const monitor::AlarmSet& alarms, const TimeOrigin& time);
 

@@ -30,6 +30,8 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   return e;
 }
 
+constexpr double CLAMP_STIFFNESS = 1e4;  // over EI / l of the element at the end
+
 // A jump that is none but for rounding.
 bool isAlike(double a, double b)
 {
@@ -186,6 +188,8 @@ void DeployedCable::assemble(const CableState& state, NodeField& residual) const
     }
   }
   joined_.addTo(model_.kernel(), environment(), state, residual);
+  residual.front().tail<3>() += vesselClamp(state).residual(state.q.front().tail<3>());
+  residual.back().tail<3>() += vehicleClamp(state).residual(state.q.back().tail<3>());
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     addLumpedAttachment(attachment, environment(), state, residual);
   if (environment().hasContact())
@@ -197,10 +201,32 @@ void DeployedCable::assemble(const CableState& state, const TangentWeights& weig
 {
   assembler_.assemble(model_.kernel(), environment(), state, weights, kind, residual, tangent);
   joined_.addTo(model_.kernel(), environment(), state, weights, kind, residual, tangent);
+  const auto clamp = [&](const ClampedEnd& end, int node)
+  {
+    const Vector3 slope = state.q[node].tail<3>();
+    residual[node].tail<3>() += end.residual(slope);
+    tangent.diagonal(node).bottomRightCorner<3, 3>() += weights.stiffness * end.tangent(slope);
+  };
+  if (!state.vessel_clamp.isZero())
+    clamp(vesselClamp(state), 0);
+  if (!state.vehicle_clamp.isZero())
+    clamp(vehicleClamp(state), elements());
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     addLumpedAttachment(attachment, environment(), state, weights, residual, tangent);
   if (environment().hasContact())
     addContact(contactScene(state), weights, residual, &tangent, bordered);
+}
+
+ClampedEnd DeployedCable::vesselClamp(const CableState& state) const
+{
+  const ElementParameters& e = elements_.front();
+  return {CLAMP_STIFFNESS * e.bending_stiffness / e.length, state.vessel_clamp};
+}
+
+ClampedEnd DeployedCable::vehicleClamp(const CableState& state) const
+{
+  const ElementParameters& e = elements_.back();
+  return {CLAMP_STIFFNESS * e.bending_stiffness / e.length, state.vehicle_clamp};
 }
 
 int DeployedCable::elementResiduals(int first, const CableState& state,

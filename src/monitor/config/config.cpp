@@ -30,6 +30,32 @@ std::vector<std::string> validate(const NavigationConfig& n)
   add(band.problems(), all);
   return all;
 }
+// Bending stiffness at the vessel end (s = 0) or the vehicle end [N m^2].
+double endBendingStiffness(const Config& c, double s)
+{
+  for (const core::CableSection& section : c.layout.sections)
+    if (section.from <= s && s <= section.to)
+      return section.properties.bending_stiffness;
+  return c.tether.bending_stiffness;
+}
+
+void validateClamp(const Config& c, const std::string& name, const BodyConfig& body, double s,
+                   std::vector<std::string>& all)
+{
+  if (!body.clamped)
+    return;
+  core::BoundsCheck check(name + ".");
+  const double norm = body.clamped->norm();
+  check.check(std::isfinite(norm) && norm > 0.0, "clamped (norm)", norm, "> 0: a direction");
+  check.check(endBendingStiffness(c, s) > 0.0, "clamped (bending_stiffness of the tether there)",
+              endBendingStiffness(c, s), "> 0 N m^2: a tether without it leaves a clamp as it leaves a hinge");
+  check.check(c.solver.scheme != core::Scheme::ABARBANEL_ZWAS, "clamped (solver.integrator abarbanel_zwas)", norm,
+              "absent: the explicit scheme has no clamps");
+  if (name == "vehicle")
+    check.check(c.vehicle_mode == VehicleMode::TRACKED, "clamped (vehicle.mode)", norm,
+                "absent unless vehicle.mode is tracked: only a held end can be clamped");
+  add(check.problems(), all);
+}
 }  // namespace
 
 std::vector<std::string> validate(const Config& c)
@@ -49,6 +75,8 @@ std::vector<std::string> validate(const Config& c)
   if (c.vessel.velocity_stddev)
     vessel.positive("velocity_stddev", *c.vessel.velocity_stddev, "m/s");
   add(vessel.problems(), all);
+  validateClamp(c, "vessel", c.vessel, 0.0, all);
+  validateClamp(c, "vehicle", c.vehicle, c.tether.length, all);
 
   if (c.winch)
     add(core::validate(*c.winch, c.tether.diameter, c.tether.length, c.tether.min_bend_radius.value_or(0.0)), all);

@@ -74,7 +74,8 @@ std::uint64_t fingerprint(const Config& config)
     add(c.navigation, to);
     to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.invalid_timeout);
   }
-  to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.accuracy);
+  to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.vessel.clamped,
+     c.vehicle.clamped, c.accuracy);
   if (!c.accuracy)
     to(c.elements);
   to(c.solver.step, c.solver.spectral_radius, c.solver.max_halvings, c.solver.max_iterations, c.solver.scheme,

@@ -5,7 +5,9 @@
 namespace tether_monitor::monitor
 {
 TrackedBody::TrackedBody(const BodyConfig& body, double longest_interval)
-  : attachment_(body.attachment), longest_interval_(longest_interval)
+  : attachment_(body.attachment),
+    clamped_(body.clamped ? body.clamped->normalized() : core::Vector3(core::Vector3::Zero())),
+    longest_interval_(longest_interval)
 {
 }
 
@@ -38,6 +40,11 @@ void TrackedBody::clear()
 {
   track_.clear();
   blender_.reset();
+}
+
+core::Vector3 TrackedBody::clampDirection(double t) const
+{
+  return clamped_.isZero() ? clamped_ : core::Vector3(track_.at(t).orientation * clamped_);
 }
 
 core::EndMotion TrackedBody::attachmentMotion(double t)

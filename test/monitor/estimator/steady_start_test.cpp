@@ -106,4 +106,27 @@ TEST(Settling, StartsOnTheMeanMotionAndHeaveComesOnTop)
   }
 }
 
+// The clamp turns with the vessel, at the start and after it.
+TEST(ClampedVesselEnd, TheTetherLeavesAsTheVesselPoints)
+{
+  Config config = testConfig();
+  config.tether.bending_stiffness = 50.0;
+  config.vessel.clamped = core::Vector3(2.0, 0.0, 0.0);
+  TetherEstimator estimator(config);
+  for (int k = 1; k <= 200; ++k)
+  {
+    const double t = 0.05 * k, yaw = M_PI / 2.0 + 0.2 * std::sin(t);
+    estimator.addVessel(PoseMeasurement{t, core::Vector3::Zero(),
+                                        Eigen::Quaterniond(Eigen::AngleAxisd(yaw, core::Vector3::UnitZ()))});
+    estimator.addVehicle(PoseMeasurement{t, core::Vector3(40.0, 0.0, -60.0), Eigen::Quaterniond::Identity()});
+    estimator.tick(t);
+    if (!estimator.isRunning())
+      continue;
+    const core::Vector3 along = estimator.simulation().state.q.front().tail<3>().normalized();
+    EXPECT_GT(along.dot(core::Vector3(std::cos(yaw), std::sin(yaw), 0.0)), 0.9999) << t;
+    EXPECT_GT(estimator.estimate().stations.ends.vessel_moment.norm(), 1.0);
+  }
+  EXPECT_EQ(estimator.estimate().status, Status::OK) << describe(estimator.estimate().reason);
+}
+
 }  // namespace tether_monitor::monitor

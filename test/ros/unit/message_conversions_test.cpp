@@ -20,7 +20,8 @@ TEST(StateMessage, OfAnInvalidEstimateIsEmptyAndNaN)
   EXPECT_TRUE(std::isnan(message.max_tension));
   EXPECT_TRUE(std::isnan(message.vehicle_relative.x));
   EXPECT_TRUE(std::isinf(message.vessel_age));
-  EXPECT_TRUE(std::isnan(wrenchMessage(std_msgs::Header(), e, core::Vector3::Ones()).wrench.force.x));
+  EXPECT_TRUE(std::isnan(
+      wrenchMessage(std_msgs::Header(), e, core::Vector3::Ones(), core::Vector3::Zero()).wrench.force.x));
 }
 
 TEST(StateMessage, CarriesTheEstimate)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tether_monitor/core/assembly/cable_model.h"
+#include "tether_monitor/core/assembly/clamped_end.h"
 #include "tether_monitor/core/assembly/contact_assembly.h"
 #include "tether_monitor/core/assembly/element_assembly.h"
 #include "tether_monitor/core/assembly/element_equations.h"
@@ -56,6 +57,10 @@ class DeployedCable
   /// Residuals of elements `first`, a multiple of kernel::BLOCK, to the end of the block: the forces that the two
   /// nodes of each receive from their other neighbours or from outside. @return how many.
   int elementResiduals(int first, const CableState& state, std::array<ElementCoords, kernel::BLOCK>& out) const;
+
+  /// The clamps of a state, hinged or not.
+  ClampedEnd vesselClamp(const CableState& state) const;
+  ClampedEnd vehicleClamp(const CableState& state) const;
 
   /// What contact needs to know of this tether in a state.
   ContactScene contactScene(const CableState& state) const { return {elements_, environment(), state}; }

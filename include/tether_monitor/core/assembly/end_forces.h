@@ -9,11 +9,13 @@ struct EndForces
 {
   Vector3 vessel = Vector3::Zero();
   Vector3 vehicle = Vector3::Zero();
+  Vector3 vessel_moment = Vector3::Zero();   ///< of a clamped end, about it [N m].
+  Vector3 vehicle_moment = Vector3::Zero();  ///< likewise.
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(vessel, vehicle);
+    a(vessel, vehicle, vessel_moment, vehicle_moment);
   }
 };
 

@@ -11,7 +11,8 @@ namespace tether_monitor::monitor
 struct BodyConfig
 {
   core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
-  std::string frame = "base_link";                   ///< frame_id by which a twist in body axes is known.
+  std::optional<core::Vector3> clamped;   ///< direction in which the tether leaves it, body axes; none: hinged.
+  std::string frame = "base_link";        ///< frame_id by which a twist in body axes is known.
   std::optional<double> position_stddev;  ///< of the vessel in mode observed, without covariance in the message
                                           ///< [m]; none: estimated from the data.
   std::optional<double> velocity_stddev;  ///< the same of its velocity [m/s].

@@ -13,6 +13,8 @@ struct EndTargets
 {
   core::EndMotion vessel;
   core::EndMotion vehicle;                                 ///< not used in mode free.
+  core::Vector3 vessel_clamp = core::Vector3::Zero();      ///< see core::CableState; zero: hinged.
+  core::Vector3 vehicle_clamp = core::Vector3::Zero();     ///< likewise.
   double vessel_age = 0.0;                                 ///< [s]
   double vehicle_age = 0.0;                                ///< [s]
   std::optional<core::PayoutState> payout = std::nullopt;  ///< deployed length and rate; none: the length stays.

@@ -20,6 +20,8 @@ class TrackedBody
   void clear();
   /// The end of the tether at time t [s], continuous from call to call. Calls in order of t.
   core::EndMotion attachmentMotion(double t);
+  /// Direction of a clamp at time t [s] in world axes; zero: there is none.
+  core::Vector3 clampDirection(double t) const;
   const MotionBuffer& track() const { return track_; }
 
   template <class Archive>
@@ -32,6 +34,7 @@ class TrackedBody
   Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
 
   core::Vector3 attachment_;
+  core::Vector3 clamped_;  // unit vector, or zero
   double longest_interval_;
   MotionBuffer track_;
   CorrectionBlender<core::Vector3> blender_;
