@@ -116,7 +116,7 @@ TEST(ClampedVesselEnd, TheTetherLeavesAsTheVesselPoints)
   for (int k = 1; k <= 200; ++k)
   {
     const double t = 0.05 * k, yaw = M_PI / 2.0 + 0.2 * std::sin(t);
-    estimator.addVessel(PoseMeasurement{t, core::Vector3::Zero(),
+    estimator.addVessel(PoseMeasurement{t, core::Vector3(0.0, 0.0, 0.0),
                                         Eigen::Quaterniond(Eigen::AngleAxisd(yaw, core::Vector3::UnitZ()))});
     estimator.addVehicle(PoseMeasurement{t, core::Vector3(40.0, 0.0, -60.0), Eigen::Quaterniond::Identity()});
     estimator.tick(t);
