@@ -42,6 +42,7 @@ set(test_files
   test/core/solve/abarbanel_zwas_test.cpp
   test/core/solve/adaptive_stepper_test.cpp
   test/core/solve/dynamic_relaxation_test.cpp
+  test/core/solve/mesh_convergence_test.cpp
   test/core/solve/steady_state_catenary_test.cpp
   test/core/solve/steady_state_solver_test.cpp
   test/core/verification/blintsov_steady_tow_test.cpp

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tether_monitor/core/assembly/end_forces.h"
+#include "tether_monitor/core/solve/dynamic_relaxation.h"
 
 namespace tether_monitor::core
 {
@@ -15,6 +16,8 @@ constexpr double DURATION = 24.0, SAMPLE = 0.2, RAMP = 8.0;  // [s]
 constexpr double HEAVE = 1.0, HEAVE_PERIOD = 8.0;            // [m], [s]
 constexpr double CIRCLE = 5.0, CIRCLE_PERIOD = 60.0;         // [m], [s]
 constexpr double SURGE_SPEED = 1.5;                          // [m/s]
+constexpr double LEAST_ORDER = 0.25, SLOW_ORDER = 1.5;       // of convergence
+constexpr double ANCHORED = 2.0;                             // diameters over the floor
 constexpr double SLACK_SHARE = 0.25, LEAST_MOTION = 2e-4;    // of the slack, of the length
 constexpr double BUDGET = 6e6;        // iterations times elements of all trials: a second at most, or two
 constexpr int TRIAL_ITERATIONS = 60;  // of a full step
@@ -73,6 +76,11 @@ Tensions simulateTrial(const CableModel& model, const NodeField& shape, const Tr
   Tensions record;
   CableState state(0.0, shape, motion.ends.velocity, motion.ends.deployment);
   initializeContact(model, state);
+  SteadyStateSolver statics(model.nodes());
+  const SolveReport settled = settleContact(statics, model, motion.ends, state);
+  budget -= static_cast<double>(settled.iterations) * model.elements();
+  if (!settled.isUsable())
+    return {};
   AdaptiveStepper stepper(model, options);
   DeployedCable cable(model, state.deployment);
   for (int i = 1; i * SAMPLE <= DURATION + 1e-9; ++i)
@@ -131,6 +139,16 @@ Vector3 aheadOf(const CableModel& model, const SteadyEnds& ends)
   return Vector3::UnitX();
 }
 
+// An end that lies on the floor is an anchor: nobody moves it about.
+bool isAnchored(const CableModel& model, const Vector3& end)
+{
+  if (!model.environment().hasSeabed() || model.bodies().vehicle)
+    return false;
+  const Seabed::Place floor = model.environment().floorAt(end);
+  return (end.z() - floor.z) * floor.normal.z() <
+         ANCHORED * model.elementProperties(model.elements() - 1).diameter;
+}
+
 class MeshConvergenceStudy
 {
  public:
@@ -161,10 +179,11 @@ class MeshConvergenceStudy
       const double room = std::max(SLACK_SHARE * slack, LEAST_MOTION * model.length(ends_.deployment));
       if (!model.bodies().vehicle)
         motion.heave = std::min(HEAVE, room);
-      motion.circle = std::min(CIRCLE, room);
+      const bool is_anchored = isAnchored(model, motion.ends.vehicle);
+      motion.circle = is_anchored ? 0.0 : std::min(CIRCLE, room);
       for (int k = 0; k < 2; ++k)
       {
-        motion.way = (k == 0 ? SURGE_SPEED : -SURGE_SPEED) * aheadOf(model, motion.ends);
+        motion.way = (is_anchored ? 0.0 : k == 0 ? SURGE_SPEED : -SURGE_SPEED) * aheadOf(model, motion.ends);
         records[k] = simulateTrial(model, shape, motion, options, left_);
       }
     }
@@ -228,8 +247,11 @@ MeshSelection selectMesh(const std::function<CableModel(int)>& make, const Stead
     if (!std::isfinite(choice.error))
       return given;
     // The error falls with a power of the number of elements: the number that is just enough.
-    const double order =
-        std::isfinite(before) ? std::clamp(std::log2(before / std::max(choice.error, 1e-300)), 1.0, 4.0) : 2.0;
+    const double order = std::isfinite(before)
+                             ? std::clamp(std::log2(before / std::max(choice.error, 1e-300)), LEAST_ORDER, 4.0)
+                             : 2.0;
+    if (order < SLOW_ORDER)  // much is left beyond the finer mesh
+      choice.error /= 1.0 - std::pow(2.0, -order);
     choice.elements = inBlocks(elements * std::pow(choice.error / accuracy, 1.0 / order), fewest);
     choice.error *= std::pow(static_cast<double>(elements) / choice.elements, order);
     choice.converged = choice.error <= accuracy;
