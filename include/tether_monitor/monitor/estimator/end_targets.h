@@ -13,8 +13,6 @@ struct EndTargets
 {
   core::EndMotion vessel;
   core::EndMotion vehicle;                                 ///< not used in mode free.
-  core::Vector3 vessel_clamp = core::Vector3::Zero();      ///< see core::CableState; zero: hinged.
-  core::Vector3 vehicle_clamp = core::Vector3::Zero();     ///< likewise.
   double vessel_age = 0.0;                                 ///< [s]
   double vehicle_age = 0.0;                                ///< [s]
   std::optional<core::PayoutState> payout = std::nullopt;  ///< deployed length and rate; none: the length stays.
@@ -25,6 +23,8 @@ struct EndTargets
   bool is_vessel_ramping_up = false;                             ///< part of its motion in waves is still to come.
   std::optional<core::Matrix3> vehicle_covariance = std::nullopt;  ///< of the vehicle's position in a start of
                                                                    ///< mode observed [m^2]; none: as configured.
+  core::Vector3 vessel_clamp = core::Vector3::Zero();              ///< see core::CableState; zero: hinged.
+  core::Vector3 vehicle_clamp = core::Vector3::Zero();             ///< likewise.
 };
 
 }  // namespace tether_monitor::monitor
