@@ -59,9 +59,10 @@ template <class V>
 TM_INLINE void addWeightAndBuoyancy(const ElementBlock& in, const ElementConstants<V>& e,
                                     const WaterAtPoint<V>& water, IntegrationPoint<V>& p)
 {
+  if (in.water)
 #pragma GCC unroll 3
-  for (int k = 0; k < 3; ++k)
-    p.f[k] -= water.submerged_mass * water.acceleration[k];
+    for (int k = 0; k < 3; ++k)
+      p.f[k] -= water.submerged_mass * water.acceleration[k];
   p.f[2] += in.around->gravity * (e.mass - water.submerged_mass);
 }
 
