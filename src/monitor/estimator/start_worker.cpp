@@ -36,24 +36,21 @@ void StartWorker::search(const Config& config, const CableSimulation& simulation
                          const std::vector<core::Obstacle>& obstacles, const VehicleEnd& vehicle, double t,
                          const EndTargets& targets)
 {
-  job_ = std::make_unique<Job>();
-  job_->t = t;
-  job_->targets = targets;
-  job_->found.emplace(SteadyStart{simulation, {}, {}});
-  const auto run =
-      [job = job_.get(), config, obstacles, vehicle = std::shared_ptr<const VehicleEnd>(vehicle.clone())]
-  {
-    try
-    {
-      *job->found = findSteadyStart(config, job->found->simulation, obstacles, *vehicle, job->t, job->targets);
-    }
-    catch (const std::exception&)
-    {
-      job->found->is_found = false;  // out of memory: as if there were none
-    }
-    job->is_done = true;
-  };
-  job_->thread = std::thread(run);
+  job_.reset(new Job{config, obstacles, vehicle.clone(), t, targets, {simulation, {}, {}}});
+  job_->thread = std::thread(
+      [job = job_.get()]
+      {
+        try
+        {
+          job->found = findSteadyStart(job->config, job->found.simulation, job->obstacles, *job->vehicle, job->t,
+                                       job->targets);
+        }
+        catch (const std::exception&)
+        {
+          job->found.is_found = false;  // out of memory: as if there were none
+        }
+        job->is_done = true;
+      });
 }
 
 SteadyStart StartWorker::take(double& t, EndTargets& targets)
@@ -61,7 +58,7 @@ SteadyStart StartWorker::take(double& t, EndTargets& targets)
   t = job_->t;
   targets = job_->targets;
   job_->thread.join();
-  SteadyStart found = std::move(*job_->found);
+  SteadyStart found = std::move(job_->found);
   job_.reset();
   return found;
 }

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <thread>
 #include <vector>
 
@@ -40,14 +39,18 @@ class StartWorker
   void collect();
 
  private:
+  // All that the thread works with: it belongs to it until is_done.
   struct Job
   {
+    Config config;
+    std::vector<core::Obstacle> obstacles;
+    std::unique_ptr<const VehicleEnd> vehicle;
     double t;
     EndTargets targets;
-    std::optional<SteadyStart> found;
+    SteadyStart found;
     std::atomic<bool> is_done{false};
     bool is_discarded = false;
-    std::thread thread;
+    std::thread thread{};
   };
   void end();
 
