@@ -60,7 +60,8 @@ const char* advice(Reason reason)
       return "No pose yet from vessel or vehicle: check that vessel/pose (or odom) and vehicle/pose (or odom) are "
              "published and remapped to this node.";
     case Reason::SETTLING:
-      return "The steady state to start from is being found, or it was found and still moves: the tether slides or drifts.";
+      return "The steady state to start from is being found, or it was found and still moves: the tether slides "
+             "or drifts.";
     case Reason::VESSEL_STALE:
       return "The vessel's pose has stopped: check its GNSS and motion sensor and the clocks of the machines.";
     case Reason::VEHICLE_STALE:
