@@ -20,7 +20,7 @@ core::CurrentProfile loadCurrent(ParameterReader& in)
   }
   std::vector<std::string> faults = core::validate(samples);
   for (std::string& fault : faults)
-    fault = "environment." + fault;
+    fault.insert(0, "environment.");
   in.addErrors(faults);
   return faults.empty() ? core::CurrentProfile(samples) : core::CurrentProfile();
 }

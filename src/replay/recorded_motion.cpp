@@ -38,7 +38,8 @@ class Columns
       return false;
     for (const std::string& suffix : suffixes)
       if (!present(suffix))
-        throw std::runtime_error(atHeader() + "column " + prefix + suffix + " is missing beside its companions");
+        throw std::runtime_error(atHeader().append("column ").append(prefix).append(suffix).append(
+            " is missing beside its companions"));
     return true;
   }
 
