@@ -10,12 +10,12 @@ monitor::EndTargets targets(const Motion& motion, const monitor::Config& config,
 {
   monitor::EndTargets targets;
   targets.vessel = motion.vessel(t).attachmentPoint(config.vessel.attachment);
-  if (config.vessel.clamped)
-    targets.vessel_clamp = motion.vessel(t).orientation * config.vessel.clamped->normalized();
-  if (config.vehicle.clamped)
-    targets.vehicle_clamp = -(motion.vehicle(t).orientation * config.vehicle.clamped->normalized());
+  targets.vessel_clamp = monitor::clampDirection(config.vessel, motion.vessel(t).orientation);
   if (config.vehicle_mode != monitor::VehicleMode::FREE)
+  {
     targets.vehicle = motion.vehicle(t).attachmentPoint(config.vehicle.attachment);
+    targets.vehicle_clamp = -monitor::clampDirection(config.vehicle, motion.vehicle(t).orientation);
+  }
   if (motion.hasPayout())
     targets.payout = motion.payout(t);
   return targets;

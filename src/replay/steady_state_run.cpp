@@ -18,10 +18,8 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
   ends.vessel = {vessel + config.vessel.attachment, level};
   ends.vehicle = {vehicle + config.vehicle.attachment, level};
 
-  if (config.vessel.clamped)
-    ends.vessel_clamp = config.vessel.clamped->normalized();
-  if (config.vehicle.clamped)
-    ends.vehicle_clamp = -config.vehicle.clamped->normalized();
+  ends.vessel_clamp = monitor::clampDirection(config.vessel, Eigen::Quaterniond::Identity());
+  ends.vehicle_clamp = -monitor::clampDirection(config.vehicle, Eigen::Quaterniond::Identity());
 
   SteadyState result;
   result.estimate = estimator.begin(0.0, ends);

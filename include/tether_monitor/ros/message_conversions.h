@@ -33,7 +33,7 @@ std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isom
 nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
                                   const monitor::TetherEstimate& estimate);
 
-/// A force [N] at a tether end; NaN while there is none.
+/// Force [N] and moment [N m] at a tether end; NaN while there is none.
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,
                                            const core::Vector3& force, const core::Vector3& moment);
 

@@ -50,8 +50,9 @@ void addContact(const ContactScene& scene, const TangentWeights& weights, NodeFi
                 {
                   if (!any)
                   {
-                    J.setZero();
                     force.setZero();
+                    if (tangent)
+                      J.setZero();
                   }
                   any = true;
                   for (int a = 0; a < 4; ++a)
@@ -69,10 +70,13 @@ void addContact(const ContactScene& scene, const TangentWeights& weights, NodeFi
       continue;
     if (tangent)
     {
-      pullBack(scene.elements[i], scene.state.q, i, force, weights.stiffness, J);
+      pullBack(scene.elements[i], scene.state.q, i, weights.stiffness, force, J);
       tangent->addElement(i, J);
     }
-    pullBack(scene.elements[i], scene.state.q, i, force);
+    else
+    {
+      pullBack(scene.elements[i], scene.state.q, i, force);
+    }
     residual[i] += force.head<6>();
     residual[i + 1] += force.tail<6>();
   }

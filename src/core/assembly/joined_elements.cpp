@@ -82,8 +82,7 @@ void JoinedElements::addTo(const kernel::Kernel& kernel, const EnvironmentModel&
     ElementCoords force = elementCoords(residual_, 0);
     ElementMatrix matrix;
     matrix << tangent_.diagonal(0), tangent_.upper(0), tangent_.lower(0), tangent_.diagonal(1);
-    pullBack(element.parameters, state.q, i, force, weights.stiffness, matrix);
-    pullBack(element.parameters, state.q, i, force);
+    pullBack(element.parameters, state.q, i, weights.stiffness, force, matrix);
     residual[i] += force.head<6>();
     residual[i + 1] += force.tail<6>();
     tangent.addElement(i, matrix);

@@ -46,7 +46,7 @@ void pullBack(const ElementParameters& p, const NodeField& q, int i, ElementCoor
                 [&](const SlopeMap& map, int at) { force.segment<3>(at) = map.rate(force.segment<3>(at)); });
 }
 
-void pullBack(const ElementParameters& p, const NodeField& q, int i, const ElementCoords& force, double stiffness,
+void pullBack(const ElementParameters& p, const NodeField& q, int i, double stiffness, ElementCoords& force,
               ElementMatrix& matrix)
 {
   forMappedEnds(p, q, i,
@@ -56,6 +56,7 @@ void pullBack(const ElementParameters& p, const NodeField& q, int i, const Eleme
                   matrix.middleRows<3>(at) = (J * matrix.middleRows<3>(at)).eval();
                   matrix.middleCols<3>(at) = (matrix.middleCols<3>(at) * J).eval();
                   matrix.block<3, 3>(at, at) += stiffness * map.geometricStiffness(force.segment<3>(at));
+                  force.segment<3>(at) = map.rate(force.segment<3>(at));
                 });
 }
 

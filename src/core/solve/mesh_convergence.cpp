@@ -70,17 +70,11 @@ struct TrialMotion
 // End tensions at every sample; empty if the motion could not be followed.
 using Tensions = std::vector<Vector3>;  // vessel, vehicle, nothing
 
-Tensions simulateTrial(const CableModel& model, const NodeField& shape, const TrialMotion& motion,
+Tensions simulateTrial(const CableModel& model, const CableState& start, const TrialMotion& motion,
                        const StepperOptions& options, double& budget)
 {
   Tensions record;
-  CableState state(0.0, shape, motion.ends.velocity, motion.ends.deployment);
-  initializeContact(model, state);
-  SteadyStateSolver statics(model.nodes());
-  const SolveReport settled = settleContact(statics, model, motion.ends, state);
-  budget -= static_cast<double>(settled.iterations) * model.elements();
-  if (!settled.isUsable())
-    return {};
+  CableState state = start;
   AdaptiveStepper stepper(model, options);
   DeployedCable cable(model, state.deployment);
   for (int i = 1; i * SAMPLE <= DURATION + 1e-9; ++i)
@@ -175,6 +169,12 @@ class MeshConvergenceStudy
         return records;
       TrialMotion motion{ends_, Vector3::Zero(), HEAVE, 0.0};
       motion.ends.vehicle = shape.back().head<3>();
+      CableState start(0.0, shape, motion.ends.velocity, motion.ends.deployment);
+      initializeContact(model, start);
+      const SolveReport settled = settleContact(statics, model, motion.ends, start);
+      left_ -= static_cast<double>(settled.iterations) * elements;
+      if (!settled.isUsable())
+        return records;
       const double slack = model.length(ends_.deployment) - (motion.ends.vessel - motion.ends.vehicle).norm();
       const double room = std::max(SLACK_SHARE * slack, LEAST_MOTION * model.length(ends_.deployment));
       if (!model.bodies().vehicle)
@@ -184,7 +184,7 @@ class MeshConvergenceStudy
       for (int k = 0; k < 2; ++k)
       {
         motion.way = (is_anchored ? 0.0 : k == 0 ? SURGE_SPEED : -SURGE_SPEED) * aheadOf(model, motion.ends);
-        records[k] = simulateTrial(model, shape, motion, options, left_);
+        records[k] = simulateTrial(model, start, motion, options, left_);
       }
     }
     catch (const std::invalid_argument&)

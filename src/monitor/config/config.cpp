@@ -30,6 +30,7 @@ std::vector<std::string> validate(const NavigationConfig& n)
   add(band.problems(), all);
   return all;
 }
+
 // Bending stiffness at the vessel end (s = 0) or the vehicle end [N m^2].
 double endBendingStiffness(const Config& c, double s)
 {

@@ -5,9 +5,7 @@
 namespace tether_monitor::monitor
 {
 TrackedBody::TrackedBody(const BodyConfig& body, double longest_interval)
-  : attachment_(body.attachment),
-    clamped_(body.clamped ? body.clamped->normalized() : core::Vector3(core::Vector3::Zero())),
-    longest_interval_(longest_interval)
+  : body_(body), longest_interval_(longest_interval)
 {
 }
 
@@ -44,12 +42,12 @@ void TrackedBody::clear()
 
 core::Vector3 TrackedBody::clampDirection(double t) const
 {
-  return clamped_.isZero() ? clamped_ : core::Vector3(track_.at(t).orientation * clamped_);
+  return monitor::clampDirection(body_, track_.at(t).orientation);
 }
 
 core::EndMotion TrackedBody::attachmentMotion(double t)
 {
-  const core::EndMotion now = track_.at(t).attachmentPoint(attachment_);
+  const core::EndMotion now = track_.at(t).attachmentPoint(body_.attachment);
   const auto target = blender_.blend(t, {now.position, now.velocity}, t - track_.age(t),
                                      std::min(track_.poseInterval(t), longest_interval_));
   return {target.value, target.rate};

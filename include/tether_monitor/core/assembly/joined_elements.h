@@ -21,9 +21,8 @@ class JoinedElements
   void clear() { count_ = 0; }
   /// Adds element `i`, or sets its constants anew.
   void set(int i, const ElementParameters& p);
-  bool has(int i) const { return find(i) < count_; }
 
-  /// Residual of element `i` alone, on its own coordinates; has(i) must hold.
+  /// Residual of element `i` alone, on its own coordinates; it must have been set.
   ElementCoords residual(int i, const kernel::Kernel& kernel, const EnvironmentModel& environment,
                          const CableState& state) const;
   /// Adds the residuals of all to those of the nodes.

@@ -17,10 +17,9 @@ ElementCoords elementAccelerations(const ElementParameters& p, const NodeField& 
 
 /// Forces on an element's own coordinates, in and out: on those of its nodes.
 void pullBack(const ElementParameters& p, const NodeField& q, int i, ElementCoords& force);
-/// The same for its iteration matrix, with the part that turns and grows with the map.
-/// @param force      on the element's own coordinates.
+/// The same with its iteration matrix, which gets the part that turns and grows with the map.
 /// @param stiffness  weight of the derivative with the coordinates, see TangentWeights.
-void pullBack(const ElementParameters& p, const NodeField& q, int i, const ElementCoords& force, double stiffness,
+void pullBack(const ElementParameters& p, const NodeField& q, int i, double stiffness, ElementCoords& force,
               ElementMatrix& matrix);
 
 }  // namespace tether_monitor::core

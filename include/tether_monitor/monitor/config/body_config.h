@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,13 @@ struct BodyConfig
                                           ///< [m]; none: estimated from the data.
   std::optional<double> velocity_stddev;  ///< the same of its velocity [m/s].
 };
+
+/// Direction in which the tether leaves a body of this orientation, world axes; zero: it is hinged.
+inline core::Vector3 clampDirection(const BodyConfig& body, const Eigen::Quaterniond& orientation)
+{
+  return body.clamped ? core::Vector3(orientation * body.clamped->normalized())
+                      : core::Vector3(core::Vector3::Zero());
+}
 
 /// What drives the vehicle end.
 enum class VehicleMode

@@ -33,8 +33,7 @@ class TrackedBody
  private:
   Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
 
-  core::Vector3 attachment_;
-  core::Vector3 clamped_;  // unit vector, or zero
+  BodyConfig body_;
   double longest_interval_;
   MotionBuffer track_;
   CorrectionBlender<core::Vector3> blender_;
