@@ -10,11 +10,11 @@ monitor::EndTargets targets(const Motion& motion, const monitor::Config& config,
 {
   monitor::EndTargets targets;
   targets.vessel = motion.vessel(t).attachmentPoint(config.vessel.attachment);
-  targets.vessel_clamp = monitor::clampDirection(config.vessel, motion.vessel(t).orientation);
+  targets.clamps.vessel = monitor::clampDirection(config.vessel, motion.vessel(t).orientation);
   if (config.vehicle_mode != monitor::VehicleMode::FREE)
   {
     targets.vehicle = motion.vehicle(t).attachmentPoint(config.vehicle.attachment);
-    targets.vehicle_clamp = -monitor::clampDirection(config.vehicle, motion.vehicle(t).orientation);
+    targets.clamps.vehicle = -monitor::clampDirection(config.vehicle, motion.vehicle(t).orientation);
   }
   if (motion.hasPayout())
     targets.payout = motion.payout(t);

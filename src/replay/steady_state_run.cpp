@@ -18,8 +18,8 @@ SteadyState findSteadyState(const monitor::Config& config, const core::Vector3& 
   ends.vessel = {vessel + config.vessel.attachment, level};
   ends.vehicle = {vehicle + config.vehicle.attachment, level};
 
-  ends.vessel_clamp = monitor::clampDirection(config.vessel, Eigen::Quaterniond::Identity());
-  ends.vehicle_clamp = -monitor::clampDirection(config.vehicle, Eigen::Quaterniond::Identity());
+  ends.clamps.vessel = monitor::clampDirection(config.vessel, Eigen::Quaterniond::Identity());
+  ends.clamps.vehicle = -monitor::clampDirection(config.vehicle, Eigen::Quaterniond::Identity());
 
   SteadyState result;
   result.estimate = estimator.begin(0.0, ends);

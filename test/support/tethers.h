@@ -27,6 +27,18 @@ inline CableProperties towCable()
   return p;
 }
 
+/// A uniform tether that the water does not brake and that nothing breaks.
+inline CableProperties plainCable(double length, double diameter, double mass_per_length, double axial_stiffness)
+{
+  CableProperties p;
+  p.length = length;
+  p.diameter = diameter;
+  p.mass_per_length = mass_per_length;
+  p.axial_stiffness = axial_stiffness;
+  p.working_load = p.breaking_load = 1e9;
+  return p;
+}
+
 /// No water: nothing but gravity acts.
 inline Environment air()
 {

@@ -30,7 +30,11 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   return e;
 }
 
-constexpr double CLAMP_STIFFNESS = 1e4;  // over EI / l of the element at the end
+// Of a clamp on an element at the end (M31).
+double clampStiffness(const ElementParameters& e)
+{
+  return 1e4 * e.bending_stiffness / e.length;
+}
 
 // A jump that is none but for rounding.
 bool isAlike(double a, double b)
@@ -203,14 +207,14 @@ void DeployedCable::assemble(const CableState& state, const TangentWeights& weig
   joined_.addTo(model_.kernel(), environment(), state, weights, kind, residual, tangent);
   const auto clamp = [&](const ClampedEnd& end, int node)
   {
+    if (end.isHinged())
+      return;
     const Vector3 slope = state.q[node].tail<3>();
     residual[node].tail<3>() += end.residual(slope);
     tangent.diagonal(node).bottomRightCorner<3, 3>() += weights.stiffness * end.tangent(slope);
   };
-  if (!state.vessel_clamp.isZero())
-    clamp(vesselClamp(state), 0);
-  if (!state.vehicle_clamp.isZero())
-    clamp(vehicleClamp(state), elements());
+  clamp(vesselClamp(state), 0);
+  clamp(vehicleClamp(state), elements());
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     addLumpedAttachment(attachment, environment(), state, weights, residual, tangent);
   if (environment().hasContact())
@@ -219,14 +223,12 @@ void DeployedCable::assemble(const CableState& state, const TangentWeights& weig
 
 ClampedEnd DeployedCable::vesselClamp(const CableState& state) const
 {
-  const ElementParameters& e = elements_.front();
-  return {CLAMP_STIFFNESS * e.bending_stiffness / e.length, state.vessel_clamp};
+  return {clampStiffness(elements_.front()), state.clamps.vessel};
 }
 
 ClampedEnd DeployedCable::vehicleClamp(const CableState& state) const
 {
-  const ElementParameters& e = elements_.back();
-  return {CLAMP_STIFFNESS * e.bending_stiffness / e.length, state.vehicle_clamp};
+  return {clampStiffness(elements_.back()), state.clamps.vehicle};
 }
 
 int DeployedCable::elementResiduals(int first, const CableState& state,

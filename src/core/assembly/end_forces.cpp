@@ -11,9 +11,14 @@ EndForces endForces(const DeployedCable& cable, const CableState& state)
   const int last = (cable.elements() - 1) / kernel::BLOCK * kernel::BLOCK;
   const int count = cable.elementResiduals(last, state, parts);
   ends.vehicle = -parts[count - 1].segment<3>(6);
+  setClampMoments(cable, state, ends);
+  return ends;
+}
+
+void setClampMoments(const DeployedCable& cable, const CableState& state, EndForces& ends)
+{
   ends.vessel_moment = cable.vesselClamp(state).moment(state.q.front().tail<3>());
   ends.vehicle_moment = cable.vehicleClamp(state).moment(state.q.back().tail<3>());
-  return ends;
 }
 
 EndForces endForces(const CableModel& model, const CableState& state)

@@ -36,8 +36,7 @@ void placePrescribedEnds(const EndBodies& bodies, const BoundaryConditions& ends
     trial.algorithmic_acceleration[node].head<3>() = trial.a[node].head<3>();
   };
   const PrescribedEnds held = prescribedEnds(bodies);
-  trial.vessel_clamp = ends.vessel_clamp;
-  trial.vehicle_clamp = ends.vehicle_clamp;
+  trial.clamps = ends.clamps;
   if (held.vessel)
     place(ends.vessel, 0);
   if (held.vehicle)

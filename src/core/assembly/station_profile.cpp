@@ -104,8 +104,7 @@ void computeStations(const DeployedCable& cable, const CableState& state, Statio
     if (i == N - 1)
       profile.ends.vehicle = -force.segment<3>(6);
   }
-  profile.ends.vessel_moment = cable.vesselClamp(state).moment(state.q.front().tail<3>());
-  profile.ends.vehicle_moment = cable.vehicleClamp(state).moment(state.q.back().tail<3>());
+  setClampMoments(cable, state, profile.ends);
   profile.vessel_direction = direction(state.q.front());
   profile.vehicle_direction = direction(state.q.back());
   profile.s[2 * N] = cable.length();

@@ -90,8 +90,7 @@ RestReport watchRest(const CableModel& model, const Vector3& velocity, double lo
   BoundaryConditions ends;
   ends.vessel = EndTrajectory::uniform(start.time, {state.q.front().head<3>(), velocity});
   ends.vehicle = EndTrajectory::uniform(start.time, {state.q.back().head<3>(), velocity});
-  ends.vessel_clamp = state.vessel_clamp;
-  ends.vehicle_clamp = state.vehicle_clamp;
+  ends.clamps = state.clamps;
   AdaptiveStepper stepper(held, StepperOptions());
   RestReport rest;
   rest.solve.status = SolveStatus::NOT_AT_REST;
@@ -174,8 +173,7 @@ SolveReport relaxDynamically(const CableModel& model, const SteadyEnds& ends, co
   BoundaryConditions moving;
   moving.vessel = EndTrajectory::uniform(0.0, {ends.vessel, ends.velocity});
   moving.vehicle = EndTrajectory::uniform(0.0, {ends.vehicle, ends.velocity});
-  moving.vessel_clamp = ends.vessel_clamp;
-  moving.vehicle_clamp = ends.vehicle_clamp;
+  moving.clamps = ends.clamps;
   SolveReport total;
   double stretch = 5.0;
   for (double t = stretch; t <= LONGEST; t += stretch)
@@ -222,8 +220,7 @@ SolveReport findSteadyState(SteadyStateSolver& solver, const CableModel& model, 
     if (!report.converged())
     {
       CableState state(0.0, moved, ends.velocity, ends.deployment);
-      state.vessel_clamp = ends.vessel_clamp;
-      state.vehicle_clamp = ends.vehicle_clamp;
+      state.clamps = ends.clamps;
       initializeContact(model, state);
       report = watchRest(model, ends.velocity, REST_MINUTE, state).solve;
       total.addCost(report);

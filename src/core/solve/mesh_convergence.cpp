@@ -139,8 +139,8 @@ bool isAnchored(const CableModel& model, const Vector3& end)
   if (!model.environment().hasSeabed() || model.bodies().vehicle)
     return false;
   const Seabed::Place floor = model.environment().floorAt(end);
-  return (end.z() - floor.z) * floor.normal.z() <
-         ANCHORED * model.elementProperties(model.elements() - 1).diameter;
+  const CableProperties& tether = model.elementProperties(model.elements() - 1);
+  return (end.z() - floor.z) * floor.normal.z() < ANCHORED * tether.contact_diameter.value_or(tether.diameter);
 }
 
 class MeshConvergenceStudy

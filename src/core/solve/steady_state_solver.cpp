@@ -200,8 +200,7 @@ SolveReport SteadyStateSolver::searchFrom(const SteadyEnds& ends, Search& search
 {
   const DeployedCable& cable = search.cable;
   trial_ = CableState(0.0, shape, ends.velocity);
-  trial_.vessel_clamp = ends.vessel_clamp;
-  trial_.vehicle_clamp = ends.vehicle_clamp;
+  trial_.clamps = ends.clamps;
   trial_.q.front().head<3>() = ends.vessel;
   if (!cable.bodies().vehicle)
     trial_.q.back().head<3>() = ends.vehicle;

@@ -255,8 +255,7 @@ core::SolveReport EstimationCycle::step(double t, const EndTargets& ends)
   core::BoundaryConditions paths;
   paths.vessel = core::EndTrajectory::between(state.time, {state.q[0].head<3>(), state.v[0].head<3>()}, t,
                                               {ends.vessel.position - simulation_.origin(), ends.vessel.velocity});
-  paths.vessel_clamp = ends.vessel_clamp;
-  paths.vehicle_clamp = ends.vehicle_clamp;
+  paths.clamps = ends.clamps;
   paths.payout = payout_.trajectory(ends, t, simulation_);
   const core::SolveReport report = vehicle_->advance(paths, ends, t, simulation_);
   payout_.reached(ends);

@@ -78,7 +78,7 @@ void FilteredVesselEnd::aim(double t, EndTargets& targets)
   const VesselMotionFilter::Motion vessel = filter_.blend(t);
   targets.vessel = vessel.end;
   if (body_.clamped)
-    targets.vessel_clamp = clampDirection(body_, track_.at(t).orientation);
+    targets.clamps.vessel = clampDirection(body_, track_.at(t).orientation);
   targets.vessel_age = age(t);
   targets.vessel_stddev = vessel.position_stddev;
   targets.vessel_error_rate = VesselMotionFilter::errorRate(vessel);

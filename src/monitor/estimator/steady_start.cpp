@@ -37,8 +37,7 @@ class StartSearch
     core::Vector3 mean_velocity = targets_.vessel.velocity;
     mean_velocity.z() = 0.0;
     ends_ = {targets_.vessel.position - origin, targets_.vehicle.position - origin, mean_velocity, {}};
-    ends_.vessel_clamp = targets_.vessel_clamp;
-    ends_.vehicle_clamp = targets_.vehicle_clamp;
+    ends_.clamps = targets_.clamps;
     return true;
   }
 
@@ -98,8 +97,7 @@ class StartSearch
   bool enterState(double t)
   {
     simulation_.state = core::CableState(t, start_.vehicle.shape, ends_.velocity, ends_.deployment);
-    simulation_.state.vessel_clamp = ends_.vessel_clamp;
-    simulation_.state.vehicle_clamp = ends_.vehicle_clamp;
+    simulation_.state.clamps = ends_.clamps;
     return true;
   }
 

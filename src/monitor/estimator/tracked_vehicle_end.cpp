@@ -7,7 +7,7 @@ namespace tether_monitor::monitor
 void TrackedVehicleEnd::aim(double t, EndTargets& targets)
 {
   targets.vehicle = body_.attachmentMotion(t);
-  targets.vehicle_clamp = -body_.clampDirection(t);  // it leaves the vehicle against s
+  targets.clamps.vehicle = -body_.clampDirection(t);  // it leaves the vehicle against s
   targets.vehicle_age = track().age(t);
 }
 

@@ -5,7 +5,7 @@ namespace tether_monitor::monitor
 void TrackedVesselEnd::aim(double t, EndTargets& targets)
 {
   targets.vessel = body_.attachmentMotion(t);
-  targets.vessel_clamp = body_.clampDirection(t);
+  targets.clamps.vessel = body_.clampDirection(t);
   targets.vessel_age = age(t);
 }
 

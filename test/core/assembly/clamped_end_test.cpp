@@ -35,19 +35,14 @@ TEST(ClampedEnd, ForceAndTangentAreDerivativesOfTheEnergy)
 // A cantilever of little weight against Bernoulli's beam: deflection w L^4 / 8 EI, moment w L^2 / 2.
 TEST(ClampedEnd, ACantileverBendsAsBernoullisBeam)
 {
-  CableProperties p;
-  p.length = 2.0;
-  p.diameter = 0.02;
-  p.mass_per_length = 0.05;
-  p.axial_stiffness = 1e6;
+  CableProperties p = plainCable(2.0, 0.02, 0.05, 1e6);
   p.bending_stiffness = 40.0;
-  p.working_load = p.breaking_load = 1e6;
   RigidBody crumb;  // the far end is free
   crumb.mass = 1e-6;
   crumb.inertia = Vector3::Constant(1e-6);
   const CableModel model = CableModel(p, 8, air()).withBodies({std::nullopt, crumb});
   SteadyEnds ends;
-  ends.vessel_clamp = Vector3::UnitX();
+  ends.clamps.vessel = Vector3::UnitX();
   NodeField shape(9);
   for (int i = 0; i <= 8; ++i)
     shape[i] << 0.25 * i, 0.0, 0.0, 1.0, 0.0, 0.0;
@@ -56,7 +51,7 @@ TEST(ClampedEnd, ACantileverBendsAsBernoullisBeam)
   const double w = 0.05 * 9.81;
   EXPECT_NEAR(shape.back().z(), -w * 16.0 / (8.0 * 40.0), 2e-3 * w * 16.0 / 320.0);
   CableState state(0.0, shape, Vector3::Zero());
-  state.vessel_clamp = ends.vessel_clamp;
+  state.clamps.vessel = ends.clamps.vessel;
   const EndForces forces = endForces(model, state);
   EXPECT_NEAR(forces.vessel.z(), -w * 2.0, 1e-4);
   EXPECT_NEAR(forces.vessel_moment.y(), w * 2.0, 2e-3 * w) << "its weight turns the clamp down, about +y";
@@ -67,22 +62,17 @@ TEST(ClampedEnd, ACantileverBendsAsBernoullisBeam)
 // w L^4 / 384 EI, a fifth of that of a hinged beam, and the moments at the ends w L^2 / 12.
 TEST(ClampedEnd, ABeamBetweenTwoClamps)
 {
-  CableProperties p;
-  p.length = 2.0;
-  p.diameter = 0.02;
-  p.mass_per_length = 0.05;
-  p.axial_stiffness = 1e4;
+  CableProperties p = plainCable(2.0, 0.02, 0.05, 1e4);
   p.bending_stiffness = 40.0;
-  p.working_load = p.breaking_load = 1e6;
   const CableModel model(p, 10, air());
   SteadyEnds ends;
   ends.vehicle = {2.0, 0.0, 0.0};
-  ends.vessel_clamp = ends.vehicle_clamp = Vector3::UnitX();
+  ends.clamps.vessel = ends.clamps.vehicle = Vector3::UnitX();
   const NodeField shape = steadyShape(model, ends);
   const double w = 0.05 * 9.81;
   EXPECT_NEAR(shape[5].z(), -w * 16.0 / (384.0 * 40.0), 5e-3 * w * 16.0 / (384.0 * 40.0));
   CableState state(0.0, shape, Vector3::Zero());
-  state.vessel_clamp = state.vehicle_clamp = Vector3::UnitX();
+  state.clamps.vessel = state.clamps.vehicle = Vector3::UnitX();
   const EndForces forces = endForces(model, state);
   EXPECT_NEAR(forces.vessel_moment.y(), w * 4.0 / 12.0, 5e-3 * w);
   EXPECT_NEAR(forces.vehicle_moment.y(), -w * 4.0 / 12.0, 5e-3 * w);
@@ -97,17 +87,17 @@ TEST(ClampedEnd, TheSlopeFollowsATurningClamp)
   const CableModel model(p, 20, Environment());
   SteadyEnds ends;
   ends.vehicle = {8.0, 0.0, -3.0};
-  ends.vessel_clamp = Vector3::UnitX();
+  ends.clamps.vessel = Vector3::UnitX();
   CableState state(0.0, steadyShape(model, ends), Vector3::Zero());
   BoundaryConditions held = heldAt(state);
   AdaptiveStepper stepper(model, StepperOptions());
   for (double t = 0.05; t < 5.0; t += 0.05)
   {
     const double angle = 0.4 * std::sin(t);
-    held.vessel_clamp = {std::cos(angle), 0.0, std::sin(angle)};
+    held.clamps.vessel = {std::cos(angle), 0.0, std::sin(angle)};
     ASSERT_TRUE(stepper.advance(model, held, t, state).converged());
     const Vector3 along = state.q.front().tail<3>().normalized();
-    EXPECT_GT(along.dot(held.vessel_clamp), std::cos(2e-3)) << t;
+    EXPECT_GT(along.dot(held.clamps.vessel), std::cos(2e-3)) << t;
   }
 }
 

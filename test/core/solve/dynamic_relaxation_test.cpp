@@ -22,13 +22,8 @@ struct LaidChain
 
   static CableProperties chain(double axial_damping)
   {
-    CableProperties p;
-    p.length = 650.0;
-    p.diameter = 0.2;
-    p.mass_per_length = 250.0;
-    p.axial_stiffness = 1e9;
+    CableProperties p = plainCable(650.0, 0.2, 250.0, 1e9);
     p.axial_damping = axial_damping;
-    p.working_load = p.breaking_load = 1e8;
     return p;
   }
   static Environment sea(double friction)

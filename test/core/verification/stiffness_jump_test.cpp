@@ -16,13 +16,7 @@ constexpr double LENGTH = 60.0, FROM = 20.0, TO = 35.0, STIFF = 2e6, SOFT = 2e3;
 
 CableProperties tether()
 {
-  CableProperties p;
-  p.length = LENGTH;
-  p.diameter = 0.012;
-  p.mass_per_length = 0.6;
-  p.axial_stiffness = STIFF;
-  p.working_load = p.breaking_load = 1e8;
-  return p;
+  return plainCable(LENGTH, 0.012, 0.6, STIFF);
 }
 
 CableLayout bungee()

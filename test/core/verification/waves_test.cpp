@@ -36,12 +36,7 @@ double verticalForceInWaves(const CableModel& model, const SteadyEnds& ends)
 // nothing moves. Integral of rho A a w^2 exp(k z) between the ends.
 TEST(Waves, PressurePushesAVerticalTetherAlongItself)
 {
-  CableProperties p;
-  p.length = 39.97;
-  p.diameter = 0.15;
-  p.mass_per_length = 40.0;
-  p.axial_stiffness = 1e8;
-  p.working_load = p.breaking_load = 1e9;
+  const CableProperties p = plainCable(39.97, 0.15, 40.0, 1e8);
   Environment sea;
   sea.waves.components = {{1.5, 120.0, 0.4, 0.0}};
   SteadyEnds ends;
@@ -62,13 +57,8 @@ TEST(Waves, PressurePushesAVerticalTetherAlongItself)
 // A tether of water: wherever it is free, it goes with the water, along itself as well as across.
 TEST(Waves, ANeutralFreeTetherGoesWithTheWater)
 {
-  CableProperties p;
-  p.length = 3.0;
-  p.diameter = 0.1;
-  p.mass_per_length = 1025.0 * p.displacedArea();
-  p.axial_stiffness = 1e6;
+  CableProperties p = plainCable(3.0, 0.1, 1025.0 * M_PI / 4.0 * 0.1 * 0.1, 1e6);
   p.added_mass_tangential = 0.3;
-  p.working_load = p.breaking_load = 1e9;
   RigidBody drop;
   drop.mass = 1e-3;
   drop.volume = drop.mass / 1025.0;

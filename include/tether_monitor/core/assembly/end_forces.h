@@ -22,7 +22,9 @@ struct EndForces
 /// End forces as the residual of the equations of motion at both ends, (M13) of doc/model.md: they contain weight,
 /// drag and inertia of the tether, and are far more accurate than EA eps there.
 EndForces endForces(const DeployedCable& cable, const CableState& state);
-/// The same for set-up and tests: allocates.
+/// Sets the moments of both ends, zero where they are hinged, and nothing else.
+void setClampMoments(const DeployedCable& cable, const CableState& state, EndForces& ends);
+/// The end forces for set-up and tests: allocates.
 EndForces endForces(const CableModel& model, const CableState& state);
 
 }  // namespace tether_monitor::core

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tether_monitor/core/cable/end_clamps.h"
 #include "tether_monitor/core/cable/end_trajectory.h"
 #include "tether_monitor/core/cable/payout_trajectory.h"
 
@@ -15,14 +16,13 @@ struct BoundaryConditions
   Wrench vessel_thrust = {};                ///< at the centre of mass, body axes; for an end with a body.
   Wrench vehicle_thrust = {};               ///< likewise.
   Vector3 vehicle_force = Vector3::Zero();  ///< more force on a simulated vehicle [N], world axes.
-  Vector3 vessel_clamp = Vector3::Zero();   ///< see CableState; zero: hinged.
-  Vector3 vehicle_clamp = Vector3::Zero();  ///< likewise; for a held end.
+  EndClamps clamps = {};
   std::optional<PayoutTrajectory> payout = std::nullopt;  ///< none: the deployed length stays.
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(vessel, vehicle, vessel_thrust, vehicle_thrust, vehicle_force, vessel_clamp, vehicle_clamp, payout);
+    a(vessel, vehicle, vessel_thrust, vehicle_thrust, vehicle_force, clamps, payout);
   }
 };
 

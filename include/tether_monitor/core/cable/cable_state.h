@@ -5,6 +5,7 @@
 #include "tether_monitor/core/base/types.h"
 #include "tether_monitor/core/cable/attitude_state.h"
 #include "tether_monitor/core/cable/deployment.h"
+#include "tether_monitor/core/cable/end_clamps.h"
 #include "tether_monitor/core/cable/friction_state.h"
 
 namespace tether_monitor::core
@@ -40,9 +41,7 @@ struct CableState
   AttitudeState vehicle;                  ///< used if the model has a body there.
   std::vector<ObstacleMotion> obstacles;  ///< one for each obstacle of the model.
   FrictionState contact;
-  Vector3 vessel_clamp = Vector3::Zero();   ///< unit direction along growing s in which a clamped end is held,
-                                            ///< world axes; zero: hinged.
-  Vector3 vehicle_clamp = Vector3::Zero();  ///< likewise.
+  EndClamps clamps;
 
   CableState() = default;
   /// Coordinates `shape` at time `t`, in uniform motion with velocity V [m/s] and no acceleration.
@@ -55,7 +54,7 @@ struct CableState
   void serialize(Archive& archive)
   {
     archive(time, step, last_iterations, deployment, q, v, a, algorithmic_acceleration, vessel, vehicle, obstacles,
-            contact, vessel_clamp, vehicle_clamp);
+            contact, clamps);
   }
 };
 

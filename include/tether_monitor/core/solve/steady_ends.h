@@ -2,6 +2,7 @@
 
 #include "tether_monitor/core/base/types.h"
 #include "tether_monitor/core/cable/deployment.h"
+#include "tether_monitor/core/cable/end_clamps.h"
 
 namespace tether_monitor::core
 {
@@ -9,12 +10,11 @@ namespace tether_monitor::core
 /// held, or free if the model has a body there, which then finds its own position, its axes those of the world.
 struct SteadyEnds
 {
-  Vector3 vessel = Vector3::Zero();         ///< position of the vessel end [m].
-  Vector3 vehicle = Vector3::Zero();        ///< position of the vehicle end [m].
-  Vector3 velocity = Vector3::Zero();       ///< common velocity [m/s].
-  Deployment deployment = {};               ///< of the tether, at rest: a rate of its length does not count.
-  Vector3 vessel_clamp = Vector3::Zero();   ///< see CableState; zero: hinged.
-  Vector3 vehicle_clamp = Vector3::Zero();  ///< likewise; for a held end.
+  Vector3 vessel = Vector3::Zero();    ///< position of the vessel end [m].
+  Vector3 vehicle = Vector3::Zero();   ///< position of the vehicle end [m].
+  Vector3 velocity = Vector3::Zero();  ///< common velocity [m/s].
+  Deployment deployment = {};          ///< of the tether, at rest: a rate of its length does not count.
+  EndClamps clamps = {};
 };
 
 /// Speed of the ends below which a tether lies still and friction holds it [m/s].

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "tether_monitor/core/cable/end_clamps.h"
 #include "tether_monitor/core/cable/end_trajectory.h"
 #include "tether_monitor/core/cable/payout_trajectory.h"
 
@@ -23,8 +24,7 @@ struct EndTargets
   bool is_vessel_ramping_up = false;                             ///< part of its motion in waves is still to come.
   std::optional<core::Matrix3> vehicle_covariance = std::nullopt;  ///< of the vehicle's position in a start of
                                                                    ///< mode observed [m^2]; none: as configured.
-  core::Vector3 vessel_clamp = core::Vector3::Zero();              ///< see core::CableState; zero: hinged.
-  core::Vector3 vehicle_clamp = core::Vector3::Zero();             ///< likewise.
+  core::EndClamps clamps = {};
 };
 
 }  // namespace tether_monitor::monitor
