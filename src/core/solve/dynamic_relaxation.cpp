@@ -11,14 +11,6 @@ namespace tether_monitor::core
 {
 namespace
 {
-CableModel withoutWavesAndFreeObstacles(const CableModel& model)
-{
-  std::vector<Obstacle> obstacles = model.environment().obstacles();
-  for (Obstacle& obstacle : obstacles)
-    obstacle.mass = 0.0;
-  return model.withEnvironment(model.environment().withoutWaves().withObstacles(obstacles));
-}
-
 constexpr double REST_MINUTE = 60.0;     // [s]
 constexpr double WATCH_INTERVAL = 2.0;   // [s]
 constexpr double LONGEST_WATCH = 600.0;  // [s]
@@ -28,14 +20,22 @@ constexpr double STANDING = 1e-5;        // [m/s]
 constexpr int MOST_ITERATIONS = 100000;  // of one watch
 constexpr double LEAST_FORCE = 1e-3;     // of the dry weight: a tether that weighs nothing has no end forces
 
+CableModel withoutWavesAndFreeObstacles(const CableModel& model)
+{
+  std::vector<Obstacle> obstacles = model.environment().obstacles();
+  for (Obstacle& obstacle : obstacles)
+    obstacle.mass = 0.0;
+  return model.withEnvironment(model.environment().withoutWaves().withObstacles(obstacles));
+}
+
 double change(const EndForces& a, const EndForces& b)
 {
   return std::max((a.vessel - b.vessel).norm(), (a.vehicle - b.vehicle).norm());
 }
 
-double sizeOfForces(const CableModel& model, const EndForces& forces)
+double sizeOfForces(const DeployedCable& cable, const EndForces& forces)
 {
-  return std::max({forces.vessel.norm(), forces.vehicle.norm(), LEAST_FORCE * DeployedCable(model).forceScale()});
+  return std::max({forces.vessel.norm(), forces.vehicle.norm(), LEAST_FORCE * cable.forceScale()});
 }
 
 // A state at the time of another, and where that was.
@@ -51,15 +51,11 @@ void takeToStart(const CableState& start, const Vector3& velocity, CableState& s
   state.step = 0.0;
 }
 
-// Nothing moves against the ends any more.
-void stop(const Vector3& velocity, CableState& state)
+void stop(CableState& state)
 {
-  for (std::size_t i = 0; i < state.v.size(); ++i)
-  {
-    state.v[i] << velocity, Vector3::Zero();
-    state.a[i].setZero();
-    state.algorithmic_acceleration[i].setZero();
-  }
+  for (NodeField* rate : {&state.v, &state.a, &state.algorithmic_acceleration})
+    for (NodeCoords& x : *rate)
+      x.setZero();
 }
 
 double fastestAgainst(const CableState& state, const Vector3& velocity)
@@ -94,7 +90,8 @@ RestReport watchRest(const CableModel& model, const Vector3& velocity, double lo
   AdaptiveStepper stepper(held, StepperOptions());
   RestReport rest;
   rest.solve.status = SolveStatus::NOT_AT_REST;
-  EndForces reference = endForces(held, state);
+  const DeployedCable cable(held, state.deployment);
+  EndForces reference = endForces(cable, state);
   double quiet_since = 0.0;
   for (double t = WATCH_INTERVAL; t <= longest && rest.solve.iterations < MOST_ITERATIONS; t += WATCH_INTERVAL)
   {
@@ -107,8 +104,8 @@ RestReport watchRest(const CableModel& model, const Vector3& velocity, double lo
       rest.solve.status = report.status;
       break;
     }
-    const EndForces now = endForces(held, state);
-    const double moved = change(reference, now) / sizeOfForces(held, now);
+    const EndForces now = endForces(cable, state);
+    const double moved = change(reference, now) / sizeOfForces(cable, now);
     const bool is_still = moved <= STILL_DRIFT && fastestAgainst(state, velocity) < STANDING;
     if (moved <= REST_DRIFT && (t - quiet_since >= REST_MINUTE || is_still))
     {
@@ -148,7 +145,7 @@ SolveReport settleContact(SteadyStateSolver& solver, const CableModel& model, co
     if (!rest.solve.converged())
       break;
     left -= rest.watched;
-    stop(Vector3::Zero(), state);
+    stop(state);
   }
   return total;
 }
