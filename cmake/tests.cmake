@@ -28,6 +28,7 @@ set(test_files
   test/core/element/hermite_shape_functions_test.cpp
   test/core/element/morison_drag_test.cpp
   test/core/element/quadrature_test.cpp
+  test/core/cable/axial_stiffening_test.cpp
   test/core/element/slope_transition_test.cpp
   test/core/element/submergence_test.cpp
   test/core/environment/airy_wave_test.cpp
@@ -50,6 +51,7 @@ set(test_files
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
   test/core/verification/stiffness_jump_test.cpp
+  test/core/verification/synthetic_rope_test.cpp
   test/core/verification/waves_test.cpp
   test/files/csv_table_test.cpp
   test/files/csv_writer_test.cpp
@@ -91,6 +93,7 @@ set(test_files
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp
   test/params/load_config_test.cpp
+  test/params/load_tether_test.cpp
   test/params/load_waves_test.cpp
   test/params/parameter_reader_test.cpp
   test/replay/csv_replay_test.cpp

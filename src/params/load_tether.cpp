@@ -6,6 +6,30 @@ namespace tether_monitor::params
 {
 namespace
 {
+// One number, or rows of strain and tension.
+void loadAxialStiffness(ParameterReader& in, const core::CableProperties* base, core::CableProperties& p)
+{
+  if (!in.isList("axial_stiffness"))
+  {
+    const bool same_as_tether = base && !in.has("axial_stiffness");
+    p.axial_stiffness = base ? in.number("axial_stiffness", base->axial_stiffness) : in.number("axial_stiffness");
+    p.axial_stiffening = same_as_tether ? base->axial_stiffening : core::AxialStiffening();
+    return;
+  }
+  std::vector<core::StrainTension> rows;
+  for (ParameterReader& entry : in.list("axial_stiffness"))
+  {
+    rows.push_back({entry.number("strain"), entry.number("tension")});
+    entry.finish();
+  }
+  const std::vector<std::string> problems = core::validate(rows);
+  for (const std::string& problem : problems)
+    in.addError("axial_stiffness", ": " + problem);
+  const core::AxialCurve curve = problems.empty() ? core::axialCurve(rows) : core::AxialCurve{1.0, {}};
+  p.axial_stiffness = curve.stiffness;
+  p.axial_stiffening = curve.stiffening;
+}
+
 // The properties from `diameter` on: of the tether, or of a section that differs from it where it says so.
 void loadProperties(ParameterReader& in, const core::CableProperties* base, core::CableProperties& p)
 {
@@ -13,7 +37,7 @@ void loadProperties(ParameterReader& in, const core::CableProperties* base, core
   { p.*member = base ? in.number(key, base->*member) : in.number(key); };
   required("diameter", &core::CableProperties::diameter);
   required("mass_per_length", &core::CableProperties::mass_per_length);
-  required("axial_stiffness", &core::CableProperties::axial_stiffness);
+  loadAxialStiffness(in, base, p);
   p.bending_stiffness = in.number("bending_stiffness", p.bending_stiffness);
   p.axial_damping = in.number("axial_damping", p.axial_damping);
   required("drag_normal", &core::CableProperties::drag_normal);

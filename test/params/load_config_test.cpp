@@ -7,38 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tether_monitor/params/parameter_reader.h"
+#include "support/config_trees.h"
 #include "tether_monitor/params/yaml_file.h"
 
 namespace tether_monitor::params
 {
-namespace
-{
-Value::Map tetherKeys()
-{
-  return {{"length", 400.0},         {"elements", 50.0},          {"diameter", 0.03},
-          {"mass_per_length", 1.43}, {"axial_stiffness", 6.75e7}, {"drag_normal", 1.35},
-          {"drag_tangential", 0.04}, {"working_load", 2.0e4},     {"breaking_load", 6.0e4}};
-}
-Value tree(const Value::Map& tether, Value::Map more = {})
-{
-  more["tether"] = Value(tether);
-  return Value(more);
-}
-std::vector<std::string> faultsOf(const Value& value)
-{
-  try
-  {
-    loadConfig(value, "/test");
-    return {};
-  }
-  catch (const ParameterError& error)
-  {
-    return error.errors();
-  }
-}
-}  // namespace
-
 TEST(LoadConfig, DefaultsAreInPlace)
 {
   const monitor::Config c = loadConfig(tree(tetherKeys()), "/test");
@@ -163,25 +136,6 @@ TEST(LoadConfig, FaultsOfTheSeaNameTheKey)
   EXPECT_TRUE(has("environment.obstacles[0].size"));
 }
 
-TEST(LoadConfig, ReadsWinchSolverAndAgeingTether)
-{
-  Value::Map keys = tetherKeys();
-  keys["hydrostatic_compression"] = 1e-5;
-  keys["permanent_elongation"] = 0.01;
-  keys["drag_amplification"] = 1.5;
-  const Value::Map winch{{"core_diameter", 0.9}, {"width", 0.6}, {"layers", 12L}};
-  const Value::Map solver{{"integrator", std::string("abarbanel_zwas")}, {"corrections", 1L}, {"courant", 0.8}};
-  const monitor::Config c = loadConfig(tree(keys, {{"winch", Value(winch)}, {"solver", Value(solver)}}), "/test");
-  EXPECT_EQ(c.tether.hydrostatic_compression, 1e-5);
-  EXPECT_EQ(c.tether.permanent_elongation, 0.01);
-  EXPECT_EQ(c.drag_amplification, 1.5);
-  ASSERT_TRUE(c.winch);
-  EXPECT_EQ(c.winch->layers, 12);
-  EXPECT_EQ(c.solver.scheme, core::Scheme::ABARBANEL_ZWAS);
-  EXPECT_EQ(c.solver.corrections, 1);
-  EXPECT_EQ(c.solver.courant, 0.8);
-}
-
 TEST(DepthGrid, IsReadInAnyOrderAndItsFaultsAreNamed)
 {
   const std::string path = ::testing::TempDir() + "/depths.csv";
@@ -202,25 +156,6 @@ TEST(DepthGrid, IsReadInAnyOrderAndItsFaultsAreNamed)
   EXPECT_THROW(files::readDepthGrid("/nowhere/at/all.csv"), std::runtime_error);
   EXPECT_EQ(files::fileBeside("/config", "grid.csv"), "/config/grid.csv");
   EXPECT_EQ(files::fileBeside("/config", "/data/grid.csv"), "/data/grid.csv");
-}
-
-TEST(LoadConfig, SectionsTakeFromTheTetherWhatTheyDoNotSay)
-{
-  Value::Map keys = tetherKeys();
-  keys["sections"] = Value::List{Value(Value::Map{{"from", 0.0}, {"to", 100.0}, {"diameter", 0.05}})};
-  keys["attachments"] = Value::List{
-      Value(Value::Map{{"name", std::string("float")}, {"s", 200.0}, {"mass", 5.0}, {"volume", 0.02}})};
-  const monitor::Config c = loadConfig(tree(keys), "/test");
-  ASSERT_EQ(c.layout.sections.size(), 1u);
-  EXPECT_EQ(c.layout.sections[0].properties.diameter, 0.05);
-  EXPECT_EQ(c.layout.sections[0].properties.mass_per_length, 1.43);
-  ASSERT_EQ(c.layout.attachments.size(), 1u);
-  EXPECT_EQ(c.layout.attachments[0].name, "float");
-  EXPECT_EQ(c.layout.attachments[0].volume, 0.02);
-
-  keys["sections"] = Value::List{Value(Value::Map{{"from", 0.0}, {"to", 500.0}, {"diametre", 0.05}})};
-  EXPECT_EQ(faultsOf(tree(keys)), (std::vector<std::string>{"tether.sections[0].diametre is not a known parameter",
-                                                            "tether.sections[0].to = 500 (must be <= length)"}));
 }
 
 TEST(LoadConfig, AFreeVehicleNeedsItsBody)
@@ -279,24 +214,6 @@ TEST(LoadConfig, WrongShapesAreNamed)
   EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = 2.7 is not a whole number"});
   keys["elements"] = true;
   EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = true is not a number"});
-}
-
-TEST(LoadConfig, ElementsMayBeChosenForAnAccuracy)
-{
-  EXPECT_FALSE(loadConfig(tree(tetherKeys()), "/test").accuracy);
-  Value::Map keys = tetherKeys();
-  keys["elements"] = std::string("auto");
-  EXPECT_EQ(loadConfig(tree(keys), "/test").accuracy, 1e-3);
-  keys["accuracy"] = 5e-3;
-  EXPECT_EQ(loadConfig(tree(keys), "/test").accuracy, 5e-3);
-  keys["accuracy"] = 0.5;
-  EXPECT_EQ(faultsOf(tree(keys)),
-            std::vector<std::string>{"tether.accuracy = 0.5 (must be >= 1e-05 and <= 0.1 [-])"});
-  keys["elements"] = 50.0;
-  EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.accuracy is for elements: auto"});
-  keys["elements"] = std::string("many");
-  keys.erase("accuracy");
-  EXPECT_EQ(faultsOf(tree(keys)), std::vector<std::string>{"tether.elements = 'many' is not a number"});
 }
 
 TEST(LoadConfig, ACurrentOutOfOrderIsNamed)

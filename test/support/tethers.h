@@ -64,6 +64,8 @@ struct RandomElement
     p.added_mass_tangential = 0.3 * p.added_mass;
     const double EA = std::pow(10.0, uniform(3.0, 8.0));
     p.axial = {EA, uniform(0.0, 0.01), EA * uniform(1e-3, 1e-2), 1e-5};  // wide enough for differences
+    if (seed % 2 == 1)
+      stiffen(EA);
     p.bending_stiffness = uniform(0.0, 100.0);
 
     const Vector3 chord = vector(1.0).normalized() * L * (1.0 + uniform(-0.01, 0.02));
@@ -78,6 +80,14 @@ struct RandomElement
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
   Vector3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+
+  // A curve that bends up and down again within the strains of the element.
+  void stiffen(double EA)
+  {
+    p.axial.stiffening.count = 2;
+    p.axial.stiffening.strain = {0.0013, 0.0171};
+    p.axial.stiffening.change = {2.0 * EA, -1.5 * EA};
+  }
 
   std::mt19937 generator;
   ElementParameters p;

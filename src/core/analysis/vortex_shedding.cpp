@@ -33,7 +33,7 @@ double waveSpeed(const DeployedCable& cable, const ElementParameters& e, const P
 {
   const double strain = 0.5 * (at.slope.squaredNorm() / (e.natural_stretch * e.natural_stretch) - 1.0);
   const double added = at.place.z() < 0.0 ? cable.environment().density() * e.area * e.added_mass : 0.0;
-  return std::sqrt(std::max(e.axial.stiffness * strain, 0.0) / (e.mass + added));
+  return std::sqrt(std::max(axialResponse(e.axial, strain).force, 0.0) / (e.mass + added));
 }
 }  // namespace
 

@@ -25,7 +25,8 @@ ElementParameters elementParameters(const CableProperties& p, double length, dou
   e.added_mass_tangential = p.added_mass_tangential;
   e.compression = p.hydrostatic_compression;
   e.natural_stretch = 1.0 + p.permanent_elongation;
-  e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.compression_stiffness_ratio};
+  e.axial = {p.axial_stiffness, p.axial_damping, small.compression_limit, small.compression_stiffness_ratio,
+             p.axial_stiffening};
   e.bending_stiffness = small.bending_stiffness;
   return e;
 }
@@ -42,9 +43,18 @@ bool isAlike(double a, double b)
   return std::abs(a - b) <= 1e-12 * std::abs(a + b);
 }
 
+bool isAlike(const AxialParameters& a, const AxialParameters& b)
+{
+  bool alike = isAlike(a.stiffness, b.stiffness) && a.stiffening.count == b.stiffening.count;
+  for (int k = 0; alike && k < a.stiffening.count; ++k)
+    alike = isAlike(a.stiffening.strain[k], b.stiffening.strain[k]) &&
+            isAlike(a.stiffening.change[k], b.stiffening.change[k]);
+  return alike;
+}
+
 SlopeTransition transitionTo(const ElementParameters& softer, const ElementParameters& own)
 {
-  return {true, softer.axial.stiffness / own.axial.stiffness, softer.natural_stretch, own.natural_stretch};
+  return {true, softer.axial, own.axial, softer.natural_stretch, own.natural_stretch};
 }
 
 // What the kernels are given in place of a joined element: as long, but nothing acts on it.
@@ -52,6 +62,7 @@ ElementParameters withoutForces(ElementParameters e)
 {
   e.mass = e.area = e.drag_normal = e.drag_tangential = e.added_mass = e.added_mass_tangential = 0.0;
   e.axial.stiffness = e.axial.damping = e.bending_stiffness = e.compression = 0.0;
+  e.axial.stiffening = AxialStiffening();
   e.transport = AxialTransport();
   return e;
 }
@@ -134,7 +145,7 @@ void DeployedCable::joinAtStiffnessJumps()
   for (int i = 0; i + 1 < elements(); ++i)
   {
     ElementParameters &a = elements_[i], &b = elements_[i + 1];
-    if (isAlike(a.axial.stiffness, b.axial.stiffness) && isAlike(a.natural_stretch, b.natural_stretch))
+    if (isAlike(a.axial, b.axial) && isAlike(a.natural_stretch, b.natural_stretch))
       continue;
     if (a.axial.stiffness > b.axial.stiffness)
       a.at_b = transitionTo(b, a);
@@ -157,7 +168,7 @@ void DeployedCable::updateScales()
   for (const ElementParameters& e : elements_)
   {
     mass_ += e.length * e.mass;
-    largest_stiffness_ = std::max(largest_stiffness_, e.axial.stiffness / e.length);
+    largest_stiffness_ = std::max(largest_stiffness_, e.axial.largestModulus() / e.length);
   }
   for (const LumpedAttachment& attachment : model_.lumpedAttachments())
     mass_ += attachment.mass;

@@ -78,6 +78,13 @@ void ElementAssembler::set(int i, const ElementParameters& p)
     put(TRANSPORT_SPEED_B, p.transport.active ? p.transport.speed_b : 0.0);
     put(TRANSPORT_RATE_A, p.transport.active ? p.transport.rate_a : 0.0);
     put(TRANSPORT_RATE_B, p.transport.active ? p.transport.rate_b : 0.0);
+    for (int k = 0; k < AxialStiffening::MOST; ++k)
+    {
+      const bool acts = k < p.axial.stiffening.count;
+      put(static_cast<Constant>(STIFFENING_STRAIN + k), acts ? p.axial.stiffening.strain[k] : 0.0);
+      put(static_cast<Constant>(STIFFENING_CHANGE + k), acts ? p.axial.stiffening.change[k] : 0.0);
+    }
+    block.stiffening[lane] = p.axial.stiffening.count > 0;
     block.damping[lane] = p.axial.damping > 0.0;
     block.compression[lane] = p.compression > 0.0;
     block.transport[lane] = p.transport.active;
@@ -97,6 +104,7 @@ ElementBlock ElementAssembler::block(const EnvironmentModel& environment, const 
   out.has_damping = any(constants.damping);
   out.has_compression = any(constants.compression);
   out.has_transport = any(constants.transport);
+  out.has_stiffening = any(constants.stiffening);
   out.q = state.q[first].data();
   out.v = state.v[first].data();
   out.a = state.a[first].data();

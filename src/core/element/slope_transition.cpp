@@ -8,36 +8,35 @@ namespace tether_monitor::core
 namespace
 {
 constexpr double NO_LENGTH = 1e-12;
-constexpr int ITERATIONS = 50;
-constexpr double ROUNDING = 1e-15;
 
-// y >= 1 with y (y^2 - 1) = c, c >= 0: Newton's method from above, where the cubic is convex.
-double stretchOf(double c)
+// Tension x N(eps) of a stretch x >= 1, and its derivatives.
+struct Tension
 {
-  double y = 1.0 + std::min(0.5 * c, std::cbrt(c));
-  for (int i = 0; i < ITERATIONS; ++i)
+  Tension(const AxialParameters& p, double x)
   {
-    const double step = (y * (y * y - 1.0) - c) / (3.0 * y * y - 1.0);
-    y -= step;
-    if (std::abs(step) <= ROUNDING * y)
-      break;
+    const AxialResponse<double> law = axialResponse(p, strainOfStretch(x));
+    value = x * law.force;
+    slope = law.force + x * x * law.modulus;
+    curvature = 3.0 * x * law.modulus;
   }
-  return y;
-}
+  double value, slope, curvature;
+};
 }  // namespace
 
 SlopeMap::SlopeMap(const SlopeTransition& transition, const Vector3& node_slope)
   : g_(node_slope), length_(std::max(node_slope.norm(), NO_LENGTH))
 {
   unit_ = g_ / length_;
-  const double rho = transition.stiffness_ratio, scale = 1.0 / transition.neighbour_stretch;
-  const double x = scale * length_;
+  const double rho = transition.active ? transition.softer.stiffness / transition.own.stiffness : 1.0;
+  const double scale = 1.0 / transition.neighbour_stretch, x = scale * length_;
   double ratio = 1.0 + (1.0 - rho) * (1.0 - x), slope = rho - 1.0, curvature = 0.0;  // y / x and its derivatives
-  if (x > 1.0)
+  if (transition.active && x > 1.0)
   {
-    const double y = stretchOf(rho * x * (x * x - 1.0));
-    const double dy = rho * (3.0 * x * x - 1.0) / (3.0 * y * y - 1.0);
-    const double ddy = (6.0 * rho * x - 6.0 * y * dy * dy) / (3.0 * y * y - 1.0);
+    const Tension here(transition.softer, x);
+    const double y = stretchAtTension(transition.own, here.value);
+    const Tension there(transition.own, y);
+    const double dy = here.slope / there.slope;
+    const double ddy = (here.curvature - there.curvature * dy * dy) / there.slope;
     ratio = y / x;
     slope = (dy - ratio) / x;
     curvature = (ddy - 2.0 * slope) / x;

@@ -12,13 +12,32 @@ struct AxialForce
   V modulus;  // dN / d eps of the law alone
 };
 
-template <class V>
-TM_INLINE AxialForce<V> axialForce(const ElementConstants<V>& e, const V* t, const V* rate, bool has_damping)
+// (M32)
+template <int W, class V>
+TM_INLINE void addStiffening(const ElementBlock& in, int first, V eps, AxialForce<V>& out)
+{
+#pragma GCC unroll 1
+  for (int k = 0; k < AxialStiffening::MOST; ++k)
+  {
+    const double* strain = in.constants + (STIFFENING_STRAIN + k) * BLOCK + first;
+    const V change = load<W>(strain + AxialStiffening::MOST * BLOCK);
+    const V beyond = eps - load<W>(strain);
+    out.N += change * lanes::max(beyond, V{});
+    out.modulus += beyond > 0.0 ? change : V{};
+  }
+}
+
+template <int W, class V>
+TM_INLINE AxialForce<V> axialForce(const ElementBlock& in, int first, const ElementConstants<V>& e, const V* t,
+                                   const V* rate)
 {
   const V square = e.inverse_natural * e.inverse_natural;
-  const AxialResponse<V> response = axialResponse(e.axial, 0.5 * (square * dot(t, t) - 1.0));
+  const V eps = 0.5 * (square * dot(t, t) - 1.0);
+  const AxialResponse<V> response = axialResponse(e.axial, eps);
   AxialForce<V> out{response.force, response.modulus};
-  if (has_damping)
+  if (in.has_stiffening)
+    addStiffening<W>(in, first, eps, out);
+  if (in.has_damping)
     out.N += e.viscosity * (square * dot(t, rate));
   out.N *= e.inverse_natural;
   return out;
@@ -62,7 +81,7 @@ TM_INLINE void addAxialAtNode(int end, const ElementBlock& in, int first, const 
       rate[k] += constant<W>(in, first, end == 0 ? TRANSPORT_SPEED_A : TRANSPORT_SPEED_B) * e.inverse_length *
                  e.inverse_length * slopeAt(HERMITE.ddN_node[end], q, k);
   }
-  const AxialForce<V> axial = axialForce(e, t, rate, in.has_damping);
+  const AxialForce<V> axial = axialForce<W>(in, first, e, t, rate);
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k)
     R[2 * end + 1][k] += AXIAL_AT_NODES * axial.N * t[k];

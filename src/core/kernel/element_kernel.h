@@ -42,7 +42,7 @@ TM_INLINE void addPoint(int g, const ElementBlock& in, int first, const ElementC
   IntegrationPoint<V> p = integrationPoint(g, e, q, v, a);
   if (in.has_transport)
     addPayoutFlow<W>(g, in, first, e, q, v, p);
-  const AxialForce<V> axial = axialForce(e, p.t, p.rate, in.has_damping);
+  const AxialForce<V> axial = axialForce<W>(in, first, e, p.t, p.rate);
   const WaterAtPoint<V> water = waterAtPoint<W>(g, in, first, e, p);
   addWeightAndBuoyancy(in, e, water, p);
   const AddedMassForce<V> added = addAddedMass(e, water, p);

@@ -61,7 +61,7 @@ double AbarbanelZwas::stableStep(const DeployedCable& cable)
     const ElementParameters& e = cable.element(i);
     const double l2 = e.length * e.length;
     const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
-    const double axial = stretch * AXIAL_SHARE * e.axial.stiffness / (e.mass * l2);
+    const double axial = stretch * AXIAL_SHARE * e.axial.largestModulus() / (e.mass * l2);
     const double bending = BENDING_SHARE * e.bending_stiffness / (e.mass * l2 * l2);
     const double contact = MASS_SHARE * touch * e.contact_diameter / e.mass;
     const double w = std::sqrt(axial + bending + contact);

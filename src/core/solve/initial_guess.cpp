@@ -85,14 +85,14 @@ NodeField hangingBodyGuess(const DeployedCable& cable, const Vector3& vessel, co
       for (const LumpedAttachment& load : cable.model().lumpedAttachments())
         if (load.node == i)
           n -= lumpedAttachmentResidual(load, cable.environment(), 0.0, {r, velocity, Vector3::Zero()});
-      shape[i] << r, (1.0 + n.norm() / e.axial.stiffness) * direction(n);
+      shape[i] << r, stretchAtTension(e.axial, n.norm()) * direction(n);
       for (int part = 0; part < PARTS && i > 0; ++part)
       {
         const double ds = e.length / PARTS;
         const Vector3 middle = n + 0.5 * ds * loadAt(e, cable.environment(), r, direction(n), velocity);
         const Vector3 t = direction(middle);
         n += ds * loadAt(e, cable.environment(), r - 0.5 * ds * t, t, velocity);
-        r -= ds * (1.0 + middle.norm() / e.axial.stiffness) * t;
+        r -= ds * stretchAtTension(e.axial, middle.norm()) * t;
       }
     }
     const Vector3 shift = vessel - shape[0].head<3>();

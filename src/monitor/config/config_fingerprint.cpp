@@ -14,6 +14,8 @@ void add(const core::CableProperties& p, BinaryWriter& to)
      p.drag_normal, p.drag_tangential, p.added_mass_normal, p.added_mass_tangential, p.contact_diameter,
      p.hydrostatic_compression, p.permanent_elongation, p.working_load, p.breaking_load, p.load_area,
      p.min_bend_radius);
+  for (int k = 0; k < p.axial_stiffening.count; ++k)
+    to(p.axial_stiffening.strain[k], p.axial_stiffening.change[k]);
 }
 
 void add(const core::CableLayout& layout, BinaryWriter& to)

@@ -10,7 +10,8 @@ namespace tether_monitor::core
 {
 namespace
 {
-const SlopeTransition TRANSITION{true, 0.02, 1.01, 1.003};
+const AxialParameters SOFT{20.0, 0.0, 1.0, 1e-5}, STIFF{1000.0, 0.0, 1.0, 1e-5};
+const SlopeTransition TRANSITION{true, SOFT, STIFF, 1.01, 1.003};
 
 // Slack, hardly taut, taut, and stretched by half.
 const Vector3 SLOPES[] = {{0.3, -0.4, 0.2}, {0.6, -0.8, 0.1422}, {0.7, 0.7, 0.35}, {-1.2, 0.7, 0.6}};
@@ -33,6 +34,30 @@ TEST(SlopeTransition, BothSidesCarryOneTensionInOneDirection)
       EXPECT_GT(y, x);
       EXPECT_LT(y, 1.0);
     }
+  }
+}
+
+TEST(SlopeTransition, CurvesOfBothSidesCarryOneTension)
+{
+  SlopeTransition curved = TRANSITION;
+  curved.softer.stiffening.count = curved.own.stiffening.count = 1;
+  curved.softer.stiffening.strain[0] = 0.1;
+  curved.softer.stiffening.change[0] = 5e4;
+  curved.own.stiffening.strain[0] = 0.002;
+  curved.own.stiffening.change[0] = -300.0;
+  for (const Vector3& g : SLOPES)
+  {
+    const double x = g.norm() / 1.01, y = SlopeMap(curved, g).slope().norm() / 1.003;
+    if (x > 1.0)
+    {
+      EXPECT_NEAR(y * axialResponse(curved.own, strainOfStretch(y)).force,
+                  x * axialResponse(curved.softer, strainOfStretch(x)).force, 1e-9);
+    }
+    const double h = 1e-6;
+    const SlopeMap map(curved, g), after(curved, g + h * RATE), before(curved, g - h * RATE);
+    EXPECT_TRUE(matricesNear(map.rate(RATE), Vector3((after.slope() - before.slope()) / (2.0 * h)), 1e-7));
+    EXPECT_TRUE(matricesNear(map.geometricStiffness(FORCE) * RATE,
+                             Vector3((after.rate(FORCE) - before.rate(FORCE)) / (2.0 * h)), 1e-6));
   }
 }
 

@@ -32,7 +32,8 @@ class ElementAssembler
   struct alignas(64) Constants
   {
     double x[kernel::CONSTANTS][kernel::BLOCK] = {};
-    bool damping[kernel::BLOCK] = {}, compression[kernel::BLOCK] = {}, transport[kernel::BLOCK] = {};
+    bool damping[kernel::BLOCK] = {}, compression[kernel::BLOCK] = {}, transport[kernel::BLOCK] = {},
+         stiffening[kernel::BLOCK] = {};
   };
   kernel::ElementBlock block(const EnvironmentModel& environment, const kernel::Surroundings& around,
                              const CableState& state, int first, int count, double* water) const;

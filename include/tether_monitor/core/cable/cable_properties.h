@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tether_monitor/core/cable/axial_stiffening.h"
+
 namespace tether_monitor::core
 {
 /**
@@ -18,11 +20,12 @@ struct CableProperties
   double diameter = 0.0;         ///< d [m], > 0.
   double mass_per_length = 0.0;  ///< m [kg/m], dry, in air, > 0.
   double axial_stiffness = 0.0;  ///< EA [N] per Green-Lagrange strain, > 0 (a catalogue's per engineering strain).
-  double bending_stiffness = 0.0;  ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
-  double axial_damping = 1.0e-3;   ///< tau [s], >= 0; default 1 ms.
-  double drag_normal = 0.0;        ///< Cn [-], >= 0.
-  double drag_tangential = 0.0;    ///< Ct [-], >= 0.
-  double added_mass_normal = 1.0;  ///< Can [-], times the displaced mass, >= 0; default 1.
+  AxialStiffening axial_stiffening;  ///< of larger strains, from axialCurve(); default none.
+  double bending_stiffness = 0.0;    ///< EI [N m^2], >= 0; default 0 (a stated regularisation acts inside, (M6)).
+  double axial_damping = 1.0e-3;     ///< tau [s], >= 0; default 1 ms.
+  double drag_normal = 0.0;          ///< Cn [-], >= 0.
+  double drag_tangential = 0.0;      ///< Ct [-], >= 0.
+  double added_mass_normal = 1.0;    ///< Can [-], times the displaced mass, >= 0; default 1.
   double added_mass_tangential = 0.0;    ///< Cat [-], likewise, for motion along the tether, >= 0; default 0.
   double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 ..
                                          ///< 1e-3; meant for losses up to a half.

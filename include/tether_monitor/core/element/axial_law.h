@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tether_monitor/core/base/lane_math.h"
+#include "tether_monitor/core/cable/axial_stiffening.h"
 
 namespace tether_monitor::core
 {
@@ -13,6 +14,9 @@ struct AxialParameters
   double damping = 0.0;    ///< tau [s], >= 0: N = N(eps) + tau EA d eps/dt, (M5), in tension and compression.
   double compression_limit = 0.0;  ///< Pc [N], > 0: largest compression that the law carries, apart from kappa's.
   double compression_stiffness_ratio = 0.0;  ///< kappa [-], 0 <= kappa < 1: share of EA left in deep compression.
+  AxialStiffening stiffening{};              ///< of larger strains; default none.
+
+  double largestModulus() const { return stiffness + stiffening.largestModulus(); }
 };
 
 /// The same as the law uses them. V is double or a vector of them.
@@ -60,17 +64,28 @@ TETHER_MONITOR_INLINE AxialResponse<V> axialResponse(const AxialCoefficients<V>&
   return {c.linear * eps + c.softening * eps * softening, c.linear + c.softening * softening * softening};
 }
 
-/// The response of one element with constants `p`.
+/// The response of one element with constants `p`, stiffening included (M32).
 inline AxialResponse<double> axialResponse(const AxialParameters& p, double eps)
 {
-  return axialResponse(axialCoefficients(p.stiffness, p.compression_limit, p.compression_stiffness_ratio), eps);
+  const AxialResponse<double> plain =
+      axialResponse(axialCoefficients(p.stiffness, p.compression_limit, p.compression_stiffness_ratio), eps);
+  return {plain.force + p.stiffening.force(eps), plain.modulus + p.stiffening.modulus(eps)};
 }
+
+/// Green-Lagrange strain of a stretch x over the natural one, (x^2 - 1)/2.
+inline double strainOfStretch(double x)
+{
+  return 0.5 * (x * x - 1.0);
+}
+
+/// Stretch over the natural one, >= 1 [-], at which the tension N(eps) x is `tension` [N]; 1 for none or a push.
+double stretchAtTension(const AxialParameters& p, double tension);
 
 /// Strain energy psi(eps) [N] = J per unstretched metre, >= 0: the integral of the force from 0, (M3).
 inline double axialEnergy(const AxialParameters& p, double eps)
 {
   if (eps >= 0.0)
-    return 0.5 * p.stiffness * eps * eps;
+    return 0.5 * p.stiffness * eps * eps + p.stiffening.energy(eps);
   const double delta = p.compression_limit / p.stiffness;
   const double y = -eps / delta;
   const double soft = (1.0 - p.compression_stiffness_ratio) * p.stiffness;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/base/types.h"
+#include "tether_monitor/core/element/axial_law.h"
 
 namespace tether_monitor::core
 {
@@ -10,13 +11,15 @@ namespace tether_monitor::core
  * follows.
  *
  * Model: (M30) of doc/model.md. With x the stretch of the softer side over its natural one and y that of the
- * stiffer, y (y^2 - 1) = rho x (x^2 - 1) for x >= 1; below, where there is no tension, y = x (1 + (1 - rho)(1 -
- * x)), which goes on with the same value and the same derivative. The direction is the same on both sides.
+ * stiffer, y N(y) = x N(x) for x >= 1; below, where there is no tension, y = x (1 + (1 - rho)(1 - x)), which goes
+ * on with the same value and the same derivative, rho the ratio of the stiffnesses at small strains. The direction
+ * is the same on both sides.
  */
 struct SlopeTransition
 {
   bool active = false;
-  double stiffness_ratio = 1.0;    ///< rho, EA of the softer side over that of this one [-], 0 < rho <= 1.
+  AxialParameters softer;          ///< axial law of the softer side, at small strains.
+  AxialParameters own;             ///< of this side.
   double neighbour_stretch = 1.0;  ///< natural stretch of the softer side [-].
   double own_stretch = 1.0;        ///< of this side [-].
 };

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tether_monitor/core/cable/axial_stiffening.h"
 #include "tether_monitor/core/kernel/block_solve_kernel.h"
 
 namespace tether_monitor::core
@@ -42,7 +43,9 @@ enum Constant
   TRANSPORT_SPEED_B,
   TRANSPORT_RATE_A,
   TRANSPORT_RATE_B,
-  CONSTANTS
+  STIFFENING_STRAIN,                                              ///< AxialStiffening::MOST rows [-].
+  STIFFENING_CHANGE = STIFFENING_STRAIN + AxialStiffening::MOST,  ///< likewise [N].
+  CONSTANTS = STIFFENING_CHANGE + AxialStiffening::MOST
 };
 
 /// Rows of the table of what the water does at an integration point.
@@ -69,9 +72,9 @@ struct ElementBlock
   int count;                ///< elements, 1..BLOCK.
   int nodes_after;          ///< nodes that follow the last one of this block in the arrays, >= 0.
   const double* constants;  ///< [CONSTANTS][BLOCK]
-  bool has_damping, has_compression, has_transport;  ///< of any element of the block.
-  const double* q;                                   ///< coordinates, count + 1 nodes.
-  const double* v;                                   ///< their rates.
+  bool has_damping, has_compression, has_transport, has_stiffening;  ///< of any element of the block.
+  const double* q;                                                   ///< coordinates, count + 1 nodes.
+  const double* v;                                                   ///< their rates.
   const double* a;
   const Surroundings* around;
   const double* water;              ///< [POINTS][WATER_ROWS][BLOCK], null: the uniform current and no waves.
