@@ -50,6 +50,7 @@ set(test_files
   test/core/verification/closed_forms_test.cpp
   test/core/verification/dynamics_test.cpp
   test/core/verification/moordyn_tow_test.cpp
+  test/core/verification/parted_tether_test.cpp
   test/core/verification/stiffness_jump_test.cpp
   test/core/verification/synthetic_rope_test.cpp
   test/core/verification/waves_test.cpp

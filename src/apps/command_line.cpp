@@ -61,6 +61,16 @@ void checkNotNegative(const std::string& option, double value)
     throw CommandLineError("--" + option + " must be >= 0");
 }
 
+std::pair<double, double> twoNumbers(const std::string& option, const std::string& text)
+{
+  double a = NAN, b = NAN;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()) ||
+      !std::isfinite(a) || !std::isfinite(b))
+    throw CommandLineError("--" + option + " must be two numbers with a comma between them, not '" + text + "'");
+  return {a, b};
+}
+
 int runProgram(const std::string& program, CommandLine& line, int argc, const char* const* argv,
                const std::function<int()>& run)
 {

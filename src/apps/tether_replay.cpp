@@ -15,6 +15,7 @@ namespace
 struct Arguments
 {
   std::string config, bag, ns, motion, out;
+  std::optional<tether_monitor::replay::Parting> parting;
   double rate = 0.0;
   double shape_rate = 1.0;
   bool quiet = false;
@@ -69,8 +70,12 @@ void replayCsv(const Arguments& arguments, const tether_monitor::replay::ReplayO
 void replay(const Arguments& arguments)
 {
   using namespace tether_monitor;
-  monitor::TetherEstimator estimator(params::loadConfigFile(arguments.config));
+  monitor::Config config = params::loadConfigFile(arguments.config);
+  if (arguments.parting)
+    config = replay::preparedToPart(std::move(config), *arguments.parting);
+  monitor::TetherEstimator estimator(config);
   replay::ReplayOptions options;
+  options.parting = arguments.parting;
   options.rate = arguments.rate;
   if (!arguments.quiet && isatty(STDERR_FILENO))
     options.progress = showProgress;
@@ -100,6 +105,7 @@ int main(int argc, char** argv)
   tether_monitor::apps::CommandLine line(
       "tether_replay", "Runs the tether monitor over a recording as fast as it can; no ROS master is needed.");
   Arguments a;
+  std::string parting;
   line.add()("config", options::value(&a.config)->required(), "YAML file with the parameter tree of the node")(
       "bag", options::value(&a.bag), "bag with vessel/pose, vehicle/pose and so on")(
       "ns", options::value(&a.ns), "namespace of the topics in the bag")(
@@ -107,6 +113,8 @@ int main(int argc, char** argv)
       "out", options::value(&a.out)->required(), "folder for the results, made if needed")(
       "rate", options::value(&a.rate),
       "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
+      "part-at", options::value(&parting),
+      "T,S: the tether parts at time T [s], S metres from the vessel; with --motion, modes tracked and free")(
       "shape-rate", options::value(&a.shape_rate)->default_value(a.shape_rate),
       "shapes in shape.csv per second, 0 for none")("quiet", options::bool_switch(&a.quiet),
                                                     "no progress bar and no closing line");
@@ -117,6 +125,13 @@ int main(int argc, char** argv)
                                             line.exclude("ns", "motion");
                                             if (a.bag.empty() && a.motion.empty())
                                               throw CommandLineError("--bag or --motion is required");
+                                            line.exclude("part-at", "bag");
+                                            if (line.has("part-at"))
+                                            {
+                                              const auto [t, s] =
+                                                  tether_monitor::apps::twoNumbers("part-at", parting);
+                                              a.parting = tether_monitor::replay::Parting{t, s};
+                                            }
                                             if (line.has("rate"))
                                               tether_monitor::apps::checkPositive("rate", a.rate);
                                             tether_monitor::apps::checkNotNegative("shape-rate", a.shape_rate);

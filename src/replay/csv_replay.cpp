@@ -1,6 +1,7 @@
 #include "tether_monitor/replay/csv_replay.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace tether_monitor::replay
 {
@@ -57,6 +58,11 @@ void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEsti
 {
   const std::vector<double> times = outputTimes(motion, options.rate);
   const double step = estimator.config().solver.step;
+  bool is_whole = options.parting.has_value();
+  if (is_whole && !(options.parting->t >= motion.begin() && options.parting->t < motion.end()))
+    throw std::runtime_error("the tether cannot part at t = " + std::to_string(options.parting->t) +
+                             " s: the motion is from " + std::to_string(motion.begin()) + " to " +
+                             std::to_string(motion.end()) + " s");
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const double from = i == 0 ? times[0] : times[i - 1];
@@ -68,6 +74,8 @@ void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEsti
         estimator.setCurrent(core::CurrentProfile(motion.current(t)));
       if (motion.hasThrust())
         estimator.setThrust(t, {motion.thrust(t), core::Vector3::Zero()});
+      if (is_whole && t > options.parting->t)
+        is_whole = !estimator.part(options.parting->s);
       recorder.startTimer();
       visit(t, i == 0);
       recorder.stopTimer();
@@ -79,6 +87,25 @@ void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEsti
   }
 }
 }  // namespace
+
+monitor::Config preparedToPart(monitor::Config config, const Parting& parting)
+{
+  if (config.vehicle_mode == monitor::VehicleMode::OBSERVED)
+    throw std::invalid_argument(
+        "a tether can part in modes tracked and free only: in mode observed the "
+        "measurements would be those of a whole one");
+  if (!(parting.s > 0.0 && parting.s < config.tether.length))
+    throw std::invalid_argument("the tether cannot part at " + std::to_string(parting.s) +
+                                " m: it must be > 0 and < tether.length");
+  core::Attachment nothing;
+  nothing.name = "parting";
+  nothing.s = parting.s;
+  config.layout.attachments.push_back(nothing);
+  while (!core::validateElementCount(config.elements, config.tether.length, config.layout).empty() &&
+         core::validateElementCount(config.elements + 1).empty())
+    ++config.elements;
+  return config;
+}
 
 void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
                   ResultRecorder& recorder)

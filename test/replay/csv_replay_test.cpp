@@ -78,6 +78,37 @@ TEST(ReplayRun, TheOutputRateDoesNotChangeTheMotion)
     EXPECT_NEAR(often.rows[400][column], seldom.rows[20][column], 1e-6 * 200.0);
 }
 
+TEST(ReplayRun, APartedTetherPullsNoMoreThanItsPiecesWeigh)
+{
+  const Motion motion(files::readCsv(motionFile(0.5)));
+  const Parting parting{10.0, 40.0};
+  monitor::TetherEstimator estimator(preparedToPart(monitor::testConfig(), parting));
+  ResultRecorder recorder(::testing::TempDir() + "tether_monitor_parting", 1.0);
+  ReplayOptions options;
+  options.parting = parting;
+  replayMotion(motion, options, estimator, recorder);
+  const monitor::TetherEstimate& e = estimator.estimate();
+  EXPECT_NE(e.status, monitor::Status::INVALID) << describe(e.reason);
+  const monitor::Config& c = estimator.config();
+  const double weight = 9.81 * (c.tether.mass_per_length - 1025.0 * c.tether.displacedArea());
+  EXPECT_LT(e.vessel_tension, 1.5 * 40.0 * weight);
+  EXPECT_LT(e.stations.stretched_length, 1.001 * c.tether.length);
+  EXPECT_GT((e.stations.position.back() - e.stations.position.front()).norm(), 60.0)
+      << "the vehicle is still held";
+}
+
+TEST(ReplayRun, APartingThatCannotBeIsRefused)
+{
+  EXPECT_THROW(preparedToPart(monitor::testConfig(), {1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(preparedToPart(monitor::testConfig(), {1.0, 1e4}), std::invalid_argument);
+  const Motion motion(files::readCsv(motionFile(0.5)));
+  ReplayOptions options;
+  options.parting = Parting{20.0, 40.0};
+  monitor::TetherEstimator estimator(preparedToPart(monitor::testConfig(), *options.parting));
+  ResultRecorder recorder(::testing::TempDir() + "tether_monitor_parting", 1.0);
+  EXPECT_THROW(replayMotion(motion, options, estimator, recorder), std::runtime_error);
+}
+
 TEST(ReplayRun, AFolderThatCannotBeMadeIsNamed)
 {
   const std::string file = ::testing::TempDir() + "tether_monitor_a_file";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
@@ -10,9 +11,22 @@
 
 namespace tether_monitor::replay
 {
+/// A tether that parts.
+struct Parting
+{
+  double t = 0.0;  ///< [s], to within a step.
+  double s = 0.0;  ///< from the vessel end [m].
+};
+
+/// The tether with a node, and short elements, where it will part: little of it is lost there.
+/// @throws std::invalid_argument naming what is wrong with the parting.
+monitor::Config preparedToPart(monitor::Config config, const Parting& parting);
+
 /// Options of a replay.
 struct ReplayOptions
 {
+  std::optional<Parting> parting = std::nullopt;  ///< of a tether that preparedToPart() has made.
+
   double rate = 0.0;                     ///< [Hz] of ends.csv; 0: the times of the motion's rows.
   std::function<void(double)> progress;  ///< called with the share done [0, 1]; may be empty.
 };
@@ -22,6 +36,7 @@ struct ReplayOptions
  *
  * Between two outputs the motion is followed in equal parts of at most the solver's step, so a coarse output does
  * not coarsen the motion.
+ * @throws std::runtime_error if the tether is to part outside of the motion.
  */
 void replayMotion(const Motion& motion, const ReplayOptions& options, monitor::TetherEstimator& estimator,
                   ResultRecorder& recorder);

@@ -58,12 +58,16 @@ VortexShedding findLockIn(const DeployedCable& cable, const CableState& state, d
   for (int i = 0; i < cable.elements(); ++i)
   {
     const ElementParameters& e = cable.element(i);
+    if (e.parted)
+      continue;
     travel += e.length / std::max(waveSpeed(cable, e, middleOf(cable, state, i)), 1e-3);
   }
   found.fundamental_frequency = 0.5 / travel;
   for (int i = 0; i < cable.elements(); ++i)
   {
     const ElementParameters& e = cable.element(i);
+    if (e.parted)
+      continue;
     const double shedding = sheddingFrequency(cable, state, i);
     const double half_wave = 0.5 * waveSpeed(cable, e, middleOf(cable, state, i)) / std::max(shedding, 1e-9);
     const bool locks_in = shedding * e.diameter > STROUHAL * LEAST_FLOW &&

@@ -57,7 +57,8 @@ SlopeTransition transitionTo(const ElementParameters& softer, const ElementParam
   return {true, softer.axial, own.axial, softer.natural_stretch, own.natural_stretch};
 }
 
-// What the kernels are given in place of a joined element: as long, but nothing acts on it.
+// What the kernels are given in place of a joined element, or one that has parted: as long, but nothing acts on
+// it.
 ElementParameters withoutForces(ElementParameters e)
 {
   e.mass = e.area = e.drag_normal = e.drag_tangential = e.added_mass = e.added_mass_tangential = 0.0;
@@ -119,6 +120,11 @@ void DeployedCable::setElement(int i, double growing, double& covered)
   }
   if (!deployment_.drag_factor.empty())
     e.drag_normal *= deployment_.drag_factor[i];
+  if (deployment_.parted_element == i)
+  {
+    e = withoutForces(e);
+    e.parted = true;
+  }
 }
 
 void DeployedCable::setElements()
@@ -145,7 +151,8 @@ void DeployedCable::joinAtStiffnessJumps()
   for (int i = 0; i + 1 < elements(); ++i)
   {
     ElementParameters &a = elements_[i], &b = elements_[i + 1];
-    if (isAlike(a.axial, b.axial) && isAlike(a.natural_stretch, b.natural_stretch))
+    const bool is_alike = isAlike(a.axial, b.axial) && isAlike(a.natural_stretch, b.natural_stretch);
+    if (is_alike || a.parted || b.parted)
       continue;
     if (a.axial.stiffness > b.axial.stiffness)
       a.at_b = transitionTo(b, a);

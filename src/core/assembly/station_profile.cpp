@@ -27,6 +27,13 @@ double radiusOfCurvature(const Vector3& slope, const Vector3& curvature)
   return turn > 0.0 ? stretch * stretch * stretch / turn : std::numeric_limits<double>::infinity();  // (M18)
 }
 
+// Between two broken ends: no tether, so nothing that it carries.
+void clearParted(int i, StationProfile& profile)
+{
+  profile.tension[2 * i + 1] = profile.stress[2 * i + 1] = profile.strain[2 * i + 1] = 0.0;
+  profile.bend_radius[2 * i + 1] = std::numeric_limits<double>::infinity();
+}
+
 // Nodes get the mean of their elements, both ends are extrapolated from the two nearest elements.
 void interpolateStrain(std::vector<double>& strain)
 {
@@ -80,7 +87,10 @@ void computeStations(const DeployedCable& cable, const CableState& state, Statio
 
     const Vector3 curvature_a = interpolate(shapeCurvatures(0.0, l), q);
     const Vector3 curvature_b = interpolate(shapeCurvatures(1.0, l), q);
-    const Vector3 at_a = i == 0 ? curvature_a : Vector3(0.5 * (curvature_before + curvature_a));
+    const bool parted = cable.element(i).parted, parted_before = i > 0 && cable.element(i - 1).parted;
+    const Vector3 at_a = i == 0 || parted_before ? curvature_a
+                         : parted                ? curvature_before
+                                                 : Vector3(0.5 * (curvature_before + curvature_a));
     profile.bend_radius[2 * i] = radiusOfCurvature(q.segment<3>(3), at_a);
     profile.bend_radius[2 * i + 1] =
         radiusOfCurvature(interpolate(shapeSlopes(0.5, l), q), interpolate(shapeCurvatures(0.5, l), q));
@@ -92,6 +102,15 @@ void computeStations(const DeployedCable& cable, const CableState& state, Statio
       profile.s[2 * i + half] = cable.arcLength(i) + 0.5 * half * l;
       profile.position[2 * i + half] = interpolate(shapeFunctions(0.5 * half, l), q);
     }
+    if (i == 0)
+      profile.ends.vessel = -force.segment<3>(0);
+    if (i == N - 1)
+      profile.ends.vehicle = -force.segment<3>(6);
+    if (parted)
+    {
+      clearParted(i, profile);
+      continue;
+    }
     double stretch = 0.0;
     for (const QuadraturePoint& point : QUADRATURE)
       stretch += point.weight * interpolate(shapeSlopes(point.xi, l), q).norm();
@@ -99,10 +118,6 @@ void computeStations(const DeployedCable& cable, const CableState& state, Statio
     profile.strain[2 * i + 1] = stretch / cable.element(i).natural_stretch - 1.0;
     profile.max_element_rotation =
         std::max(profile.max_element_rotation, std::acos(std::clamp(ta.dot(tb), -1.0, 1.0)));
-    if (i == 0)
-      profile.ends.vessel = -force.segment<3>(0);
-    if (i == N - 1)
-      profile.ends.vehicle = -force.segment<3>(6);
   }
   setClampMoments(cable, state, profile.ends);
   profile.vessel_direction = direction(state.q.front());

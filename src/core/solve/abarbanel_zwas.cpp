@@ -59,6 +59,8 @@ double AbarbanelZwas::stableStep(const DeployedCable& cable)
   for (int i = 0; i < cable.elements(); ++i)
   {
     const ElementParameters& e = cable.element(i);
+    if (e.parted)
+      continue;
     const double l2 = e.length * e.length;
     const double stretch = 1.0 + 0.2;  // Green-Lagrange stiffens: 3/2 strain at up to some 10 %
     const double axial = stretch * AXIAL_SHARE * e.axial.largestModulus() / (e.mass * l2);

@@ -62,6 +62,12 @@ double AdaptiveStepper::largestStep(const CableModel& model, const CableState& s
   return options_.step;
 }
 
+void AdaptiveStepper::expectShock(CableState& state) const
+{
+  state.step = std::ldexp(options_.step, -options_.max_halvings);
+  state.last_iterations = options_.newton.max_iterations;
+}
+
 SolveReport AdaptiveStepper::advance(const CableModel& model, const BoundaryConditions& ends, double t_end,
                                      CableState& state)
 {

@@ -70,6 +70,7 @@ void EstimationCycle::reset()
   vehicle_->clear();
   payout_.clear();
   watchdog_.clear();
+  simulation_.state.deployment.parted_element.reset();
   invalidate(Reason::NO_INPUT, estimate_);
   phase_ = Phase::IDLE;
   forgetStart();
@@ -168,9 +169,24 @@ const TetherEstimate& EstimationCycle::tick(double t)
   return starts_in_background_ ? startInBackground(t) : begin(t, targetsAt(t));
 }
 
+bool EstimationCycle::part(double s)
+{
+  if (!isRunning() || !(s > 0.0 && s < simulation_.length()))
+    return false;
+  const core::DeployedCable& cable = simulation_.updatedCable();
+  int i = 0;
+  while (i + 1 < cable.elements() && cable.arcLength(i + 1) <= s + 1e-9 * cable.length())
+    ++i;
+  simulation_.state.deployment.parted_element = i;
+  simulation_.stepper.expectShock(simulation_.state);
+  return true;
+}
+
 bool EstimationCycle::start(double t, const EndTargets& ends)
 {
   phase_ = Phase::STARTING;
+  if (simulation_.state.deployment.parted_element)
+    return false;  // two pieces have no steady state to begin with
   return adopt(findSteadyStart(config_, simulation_, obstacles_.at(t, simulation_), *vehicle_, t, ends), t, ends,
                t);
 }

@@ -40,6 +40,8 @@ bool isDeploymentOf(const core::Deployment& deployment, const core::CableModel& 
   if (!isEmptyOr(static_cast<std::size_t>(model.elements()), deployment.drag_factor.size()) ||
       !std::all_of(deployment.drag_factor.begin(), deployment.drag_factor.end(), is_factor))
     return false;
+  if (deployment.parted_element.value_or(0) < 0 || deployment.parted_element.value_or(0) >= model.elements())
+    return false;
   const std::optional<core::PayoutState>& payout = deployment.payout;
   return !payout || (model.canRepresentLength(payout->length) && std::isfinite(payout->rate) &&
                      std::isfinite(payout->acceleration));

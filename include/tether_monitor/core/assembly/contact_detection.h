@@ -54,7 +54,7 @@ template <typename Visit>
 void forContacts(const ContactScene& scene, int i, const TangentWeights& w, const Visit& visit)
 {
   const Proximity near = proximity(scene, i);
-  if (!near.floor && !near.obstacle)
+  if ((!near.floor && !near.obstacle) || scene.elements[i].parted)
     return;
   const double diameter = scene.elements[i].contact_diameter;
   const ElementParameters& p = scene.elements[i];

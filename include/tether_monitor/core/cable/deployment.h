@@ -13,17 +13,18 @@ struct Deployment
   std::optional<PayoutState> payout;  ///< deployed length and its rates; none: at rest, as long as it was built.
   std::vector<double> drag_factor;    ///< on the normal drag of every element [-], >= 1, for vortex-induced
                                       ///< vibration; empty: 1.
+  std::optional<int> parted_element = std::nullopt;  ///< the element that has parted: it holds nothing any more.
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(payout, drag_factor);
+    a(payout, drag_factor, parted_element);
   }
 };
 
 inline bool operator==(const Deployment& a, const Deployment& b)
 {
-  return a.payout == b.payout && a.drag_factor == b.drag_factor;
+  return a.payout == b.payout && a.drag_factor == b.drag_factor && a.parted_element == b.parted_element;
 }
 
 }  // namespace tether_monitor::core

@@ -43,6 +43,7 @@ struct ElementParameters
   double natural_stretch = 1.0;    ///< lambda_0 = 1 + permanent elongation [-].
   AxialTransport transport;
   SlopeTransition at_a, at_b;  ///< where a neighbour is softer.
+  bool parted = false;         ///< nothing is there any more but the distance of two broken ends.
 
   /// True if a slope of its own is not that of the node.
   bool isJoined() const { return at_a.active || at_b.active; }

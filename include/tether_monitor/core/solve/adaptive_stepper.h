@@ -56,6 +56,9 @@ class AdaptiveStepper
    */
   SolveReport advance(const CableModel& model, const BoundaryConditions& ends, double t_end, CableState& state);
 
+  /// The forces have changed at once: the next step is the shortest, and goes on from no acceleration of before.
+  void expectShock(CableState& state) const;
+
   /// Accepts memory for the obstacles of `model`, after they changed.
   void prepareObstacles(const CableModel& model);
   const StepperOptions& options() const { return options_; }

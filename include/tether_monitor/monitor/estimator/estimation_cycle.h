@@ -47,6 +47,7 @@ class EstimationCycle
   bool setDepth(double depth);
   std::vector<std::string> setObstacles(double t, const std::vector<core::Obstacle>& obstacles);
   bool addPayout(double t, double length, double rate);
+  bool part(double s);
 
   bool canBegin(double t) const { return vessel_->isReady(t) && vehicle_->isReady(t); }
   const TetherEstimate& tick(double t);

@@ -67,6 +67,14 @@ class TetherEstimator
     return cycle_.addPayout(t, length, rate);
   }
 
+  /**
+   * The tether parts in the element at arc length s from the vessel end [m], which holds nothing from the next
+   * step on; reset() mends it. Both pieces go on, but a parted tether cannot settle anew: then the estimate stays
+   * INVALID.
+   * @return false, and nothing changes, if the tether is not in motion, or s is not on it.
+   */
+  bool part(double s) { return cycle_.part(s); }
+
   /// Estimate at time t [s] from the measurements, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
 
