@@ -35,13 +35,13 @@ VesselMotionFilter::VesselMotionFilter()
 
 void VesselMotionFilter::clear()
 {
-  filters_ = {AxisKalmanFilter(ACCELERATION_STDDEV), AxisKalmanFilter(ACCELERATION_STDDEV),
-              AxisKalmanFilter(VERTICAL_ACCELERATION_STDDEV)};
+  estimate_ = Estimate();
+  estimate_.filters = {AxisKalmanFilter(ACCELERATION_STDDEV), AxisKalmanFilter(ACCELERATION_STDDEV),
+                       AxisKalmanFilter(VERTICAL_ACCELERATION_STDDEV)};
   noise_ = velocity_noise_ = std::array<DifferenceNoiseEstimator, 3>();
   log_.clear();
   snapshots_.clear();
   last_measured_.fill(-std::numeric_limits<double>::infinity());
-  consecutive_outliers_ = {};
   for (PositionWindow& recent : position_windows_)
     recent.clear();
   track_velocity_stddev_.setZero();
@@ -54,7 +54,7 @@ void VesselMotionFilter::start(double t, const core::EndMotion& end, double posi
   clear();
   for (int i = 0; i < 3; ++i)
   {
-    filters_[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
+    estimate_.filters[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
     last_measured_[i] = t;
   }
 }
@@ -156,8 +156,7 @@ void VesselMotionFilter::runAgainFrom(std::size_t index)
 {
   while (snapshots_.size() > 1 && snapshots_.back().t > log_[index].t)
     snapshots_.pop_back();
-  filters_ = snapshots_.back().filters;
-  consecutive_outliers_ = snapshots_.back().consecutive_outliers;
+  estimate_ = snapshots_.back().estimate;
   const double from = snapshots_.back().t;
   snapshots_.pop_back();
   std::size_t first = index;
@@ -171,16 +170,21 @@ void VesselMotionFilter::pushSnapshot(double t)
 {
   if (snapshots_.size() == SNAPSHOTS)
     snapshots_.erase(snapshots_.begin(), snapshots_.begin() + SNAPSHOTS / 2);
-  snapshots_.push_back({t, filters_, consecutive_outliers_});
+  snapshots_.push_back({t, estimate_});
 }
 
 void VesselMotionFilter::run(const Entry& entry)
 {
   if (snapshots_.empty() || snapshots_.back().t + SNAPSHOT_INTERVAL <= entry.t)
     pushSnapshot(entry.t);
+  run(entry, estimate_);
+}
+
+void VesselMotionFilter::run(const Entry& entry, Estimate& estimate)
+{
   for (int i = 0; i < 3; ++i)
   {
-    AxisKalmanFilter& filter = filters_[i];
+    AxisKalmanFilter& filter = estimate.filters[i];
     if (!std::isfinite(entry.stddev[i]))
       continue;
     if (!filter.isStarted() || entry.t - filter.time() > LONGEST_GAP)
@@ -191,32 +195,51 @@ void VesselMotionFilter::run(const Entry& entry)
     }
     filter.predict(entry.t);
     if (entry.is_velocity)
-      correctVelocity(i, entry);
+      correctVelocity(i, entry, estimate);
     else
-      correctPosition(i, entry);
+      correctPosition(i, entry, estimate);
   }
 }
 
-void VesselMotionFilter::correctVelocity(int i, const Entry& entry)
+// The filters as they were before what is stamped later than t.
+VesselMotionFilter::Filters VesselMotionFilter::filtersAt(double t) const
 {
-  const bool is_good = std::abs(filters_[i].normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
-  if (is_good)
-    filters_[i].correctVelocity(entry.value[i], entry.stddev[i]);
-  outliers_ += is_good ? 0 : 1;
+  const bool is_past = log_.empty() || log_.back().t <= t;
+  const auto after =
+      std::find_if(snapshots_.begin(), snapshots_.end(), [&](const Snapshot& s) { return s.t > t; });
+  if (is_past || after == snapshots_.begin())
+    return estimate_.filters;
+  Estimate then = std::prev(after)->estimate;
+  const double from = std::prev(after)->t;
+  const auto first =
+      std::lower_bound(log_.begin(), log_.end(), from, [](const Entry& e, double x) { return e.t < x; });
+  for (auto entry = first; entry != log_.end() && entry->t <= t; ++entry)
+    run(*entry, then);
+  return then.filters;
 }
 
-void VesselMotionFilter::correctPosition(int i, const Entry& entry)
+void VesselMotionFilter::correctVelocity(int i, const Entry& entry, Estimate& estimate)
 {
-  AxisKalmanFilter& filter = filters_[i];
+  AxisKalmanFilter& filter = estimate.filters[i];
+  const bool is_good = std::abs(filter.normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
+  if (is_good)
+    filter.correctVelocity(entry.value[i], entry.stddev[i]);
+  estimate.outliers += is_good ? 0 : 1;
+}
+
+void VesselMotionFilter::correctPosition(int i, const Entry& entry, Estimate& estimate)
+{
+  AxisKalmanFilter& filter = estimate.filters[i];
+  int& consecutive_outliers = estimate.consecutive_outliers[i];
   const double innovation = filter.normalizedInnovation(entry.value[i], entry.stddev[i]);
   if (std::abs(innovation) < GATE)
   {
-    consecutive_outliers_[i] = 0;
+    consecutive_outliers = 0;
     filter.correctPosition(entry.value[i], entry.stddev[i]);
   }
-  else if (++consecutive_outliers_[i] >= RESET_COUNT)
+  else if (++consecutive_outliers >= RESET_COUNT)
   {
-    consecutive_outliers_[i] = 0;
+    consecutive_outliers = 0;
     filter.recordInnovation(innovation);
     const double velocity = filter.at(entry.t).velocity;
     const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
@@ -225,15 +248,16 @@ void VesselMotionFilter::correctPosition(int i, const Entry& entry)
   }
   else
   {
-    ++outliers_;
-    if (consecutive_outliers_[i] > 1)
+    ++estimate.outliers;
+    if (consecutive_outliers > 1)
       filter.recordInnovation(innovation);
   }
 }
 
 bool VesselMotionFilter::hasPosition() const
 {
-  return std::all_of(filters_.begin(), filters_.end(), [](const AxisKalmanFilter& f) { return f.isStarted(); });
+  return std::all_of(estimate_.filters.begin(), estimate_.filters.end(),
+                     [](const AxisKalmanFilter& f) { return f.isStarted(); });
 }
 
 bool VesselMotionFilter::isReady(double t) const
@@ -243,31 +267,32 @@ bool VesselMotionFilter::isReady(double t) const
   for (const PositionWindow& recent : position_windows_)
     if (recent.span(t) < INITIAL_WINDOW)
       return false;
-  return std::all_of(filters_.begin(), filters_.end(),
+  return std::all_of(estimate_.filters.begin(), estimate_.filters.end(),
                      [](const AxisKalmanFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
 }
 
 double VesselMotionFilter::age(double t) const
 {
-  return t - *std::min_element(last_measured_.begin(), last_measured_.end());
+  return std::max(t - *std::min_element(last_measured_.begin(), last_measured_.end()), 0.0);
 }
 
 VesselMotionFilter::Motion VesselMotionFilter::at(double t) const
 {
-  return motionOf(filters_, t);
+  return motionOf(filtersAt(t), t);
 }
 
 void VesselMotionFilter::startBlending(double t, const core::EndMotion& from)
 {
   correction_ = Correction<core::Vector3>();
   ramp_track_ = from;
-  last_output_ = filters_;
+  last_output_ = filtersAt(t);
   last_output_time_ = blending_since_ = t;
 }
 
 VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
 {
-  Motion motion = at(t);
+  const Filters now = filtersAt(t);
+  Motion motion = motionOf(now, t);
   if (!(blending_since_ > -std::numeric_limits<double>::infinity()))
   {
     startBlending(t, motion.end);
@@ -281,15 +306,15 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
     // An axis that its filter does not predict has to be followed faster.
     for (int i = 0; i < 3; ++i)
     {
-      const double w = BLEND_BANDWIDTH * std::clamp(filters_[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO,
-                                                    1.0, FASTEST_FADING);
+      const double w = BLEND_BANDWIDTH *
+                       std::clamp(now[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO, 1.0, FASTEST_FADING);
       Correction<double> axis{correction_.value[i], correction_.rate[i]};
       axis.fade(w, dt);
       correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
       correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
     }
   }
-  last_output_ = filters_;
+  last_output_ = now;
   last_output_time_ = t;
   motion.end.position += correction_.value;
   motion.end.velocity += correction_.rate;
@@ -350,9 +375,9 @@ core::EndMotion VesselMotionFilter::estimateTrack(double t)
     track_velocity_stddev_[i] = found.velocity_stddev;
     if (!(found.wave_frequency > 0.0))
       continue;
-    filters_[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+    estimate_.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
     for (Snapshot& snapshot : snapshots_)
-      snapshot.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+      snapshot.estimate.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
   }
   return end;
 }
@@ -368,7 +393,7 @@ bool VesselMotionFilter::isValid() const
 {
   const auto areSound = [](const auto& list)
   { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isValid(); }); };
-  bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(filters_) &&
+  bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.filters) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
                areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
                correction_.rate.allFinite() && ramp_track_.position.allFinite() &&
@@ -377,7 +402,7 @@ bool VesselMotionFilter::isValid() const
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < snapshots_.size(); ++i)
-    sound = sound && std::isfinite(snapshots_[i].t) && areSound(snapshots_[i].filters) &&
+    sound = sound && std::isfinite(snapshots_[i].t) && areSound(snapshots_[i].estimate.filters) &&
             (i == 0 || snapshots_[i].t >= snapshots_[i - 1].t);
   return sound;
 }

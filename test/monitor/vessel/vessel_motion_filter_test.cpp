@@ -130,6 +130,26 @@ TEST(VesselMotionFilter, LateMeasurementsTakeTheirPlace)
       << "twice";
 }
 
+TEST(VesselMotionFilter, AMeasurementStampedAheadCountsAtItsOwnTime)
+{
+  VesselMotionFilter on_time, ahead;
+  const auto at = [](double t) { return positionOf({3.0 * t, 0.0, 2.0}, Vector3::Constant(0.01)); };
+  for (int i = 0; i < 400; ++i)
+  {
+    const double t = 0.0625 * i;
+    on_time.addPosition(t, at(t));
+    if (i == 0)
+      ahead.addPosition(0.0, at(0.0));
+    ahead.addPosition(t + 0.0625, at(t + 0.0625));
+    if (t < 10.0)
+      continue;
+    EXPECT_NEAR(ahead.at(t).end.position.x(), 3.0 * t, 0.005) << t;
+    EXPECT_EQ(ahead.at(t).end.position, on_time.at(t).end.position) << t;
+    EXPECT_EQ(ahead.blend(t).end.velocity, on_time.blend(t).end.velocity) << t;
+    EXPECT_EQ(ahead.age(t), 0.0);
+  }
+}
+
 TEST(VesselMotionFilter, AnOutlierIsLeftOutAndALeapBelievedInTheEnd)
 {
   VesselMotionFilter filter;

@@ -18,7 +18,7 @@ namespace tether_monitor::monitor
  *
  * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis
  * has its own filter, so that satellite positions and a heave sensor can take turns. Measurements may come
- * late and out of order within some seconds: the filters are set back and run again. Allocates only in the
+ * late, early and out of order within some seconds: the filters are set back and run again. Allocates only in the
  * constructor.
  */
 class VesselMotionFilter
@@ -53,7 +53,8 @@ class VesselMotionFilter
   bool hasPosition() const;
   /// Age at time t of the last measured position of the axis that has waited longest [s]; infinite before.
   double age(double t) const;
-  /// At time t [s]; hasPosition() must hold.
+  /// At time t [s], from the measurements up to then: one that is stamped later does not count yet. hasPosition()
+  /// must hold.
   Motion at(double t) const;
   /// The straight track of the last 20 s, without the motion in the waves, which the filters learn at once;
   /// isReady() must hold.
@@ -71,17 +72,16 @@ class VesselMotionFilter
   bool isRampingUp(double t) const;
   /// How fast the errors of a motion are [1/s].
   static double errorRate(const Motion& motion);
-  const AxisKalmanFilter& axis(int i) const { return filters_[i]; }
+  const AxisKalmanFilter& axis(int i) const { return estimate_.filters[i]; }
   /// Measurements that were rejected as outliers.
-  long outliers() const { return outliers_; }
+  long outliers() const { return estimate_.outliers; }
   bool isValid() const;
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(filters_, position_windows_, noise_, velocity_noise_, log_, snapshots_, last_measured_, outliers_,
-      consecutive_outliers_, last_output_, last_output_time_, correction_, ramp_track_, track_velocity_stddev_,
-      blending_since_);
+    a(estimate_, position_windows_, noise_, velocity_noise_, log_, snapshots_, last_measured_, last_output_,
+      last_output_time_, correction_, ramp_track_, track_velocity_stddev_, blending_since_);
   }
 
  private:
@@ -99,16 +99,28 @@ class VesselMotionFilter
     }
   };
   using Filters = std::array<AxisKalmanFilter, 3>;
-  struct Snapshot
+  // What follows from the measurements up to one time.
+  struct Estimate
   {
-    double t = 0.0;
     Filters filters;
     std::array<int, 3> consecutive_outliers{};
+    long outliers = 0;
 
     template <class Archive>
     void serialize(Archive& a)
     {
-      a(t, filters, consecutive_outliers);
+      a(filters, consecutive_outliers, outliers);
+    }
+  };
+  struct Snapshot
+  {
+    double t = 0.0;
+    Estimate estimate;
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(t, estimate);
     }
   };
 
@@ -119,20 +131,20 @@ class VesselMotionFilter
   void makeRoom();
   void runAgainFrom(std::size_t index);
   void run(const Entry& entry);
-  void correctPosition(int i, const Entry& entry);
-  void correctVelocity(int i, const Entry& entry);
+  static void run(const Entry& entry, Estimate& estimate);
+  static void correctPosition(int i, const Entry& entry, Estimate& estimate);
+  static void correctVelocity(int i, const Entry& entry, Estimate& estimate);
+  Filters filtersAt(double t) const;
   void pushSnapshot(double t);
   static Motion motionOf(const Filters& filters, double t);
   void rampWaveMotion(double t, Motion& motion) const;
 
-  Filters filters_;
+  Estimate estimate_;  // after all of the log
   std::array<PositionWindow, 3> position_windows_;
   std::array<DifferenceNoiseEstimator, 3> noise_, velocity_noise_;
   std::vector<Entry> log_;           // in order of time
   std::vector<Snapshot> snapshots_;  // likewise: filters before the entries from t on
   std::array<double, 3> last_measured_;
-  long outliers_ = 0;
-  std::array<int, 3> consecutive_outliers_{};
   Filters last_output_;                                          // at the last blend()
   double last_output_time_ = 0.0;                                // time of it
   Correction<core::Vector3> correction_;                         // of what was shown from what is known
