@@ -31,12 +31,15 @@ add_library(tether_monitor_ros STATIC
   src/ros/diagnostics.cpp
   src/ros/geometry_conversions.cpp
   src/ros/input_adapter.cpp
+  src/ros/input_statistics.cpp
   src/ros/input_topics.cpp
   src/ros/markers.cpp
+  src/ros/message_bounds.cpp
   src/ros/message_conversions.cpp
   src/ros/monitor_node.cpp
   src/ros/parameter_server.cpp
-  src/ros/simulator_node.cpp)
+  src/ros/simulator_node.cpp
+  src/ros/transform_input.cpp)
 add_dependencies(tether_monitor_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(tether_monitor_ros

@@ -15,6 +15,7 @@
 #include "tether_monitor/ros/diagnostics.h"
 #include "tether_monitor/ros/input_adapter.h"
 #include "tether_monitor/ros/input_topics.h"
+#include "tether_monitor/ros/transform_input.h"
 
 namespace tether_monitor
 {
@@ -70,11 +71,18 @@ void openBag(const std::string& path, rosbag::Bag& bag)
   }
 }
 
-void addTransforms(const rosbag::MessageInstance& instance, bool is_static, Recording& recording)
+void refuse(const std::string& topic, const InputError& why, Recording& recording)
+{
+  RefusalCount& refusal = recording.refusals[topic];
+  ++refusal.count;
+  refusal.last_reason = why;
+}
+
+void addTransformsOf(const rosbag::MessageInstance& instance, bool is_static, Recording& recording)
 {
   if (const auto message = instance.instantiate<tf2_msgs::TFMessage>())
-    for (const geometry_msgs::TransformStamped& transform : message->transforms)
-      recording.transforms.setTransform(transform, "bag", is_static);
+    if (const auto error = addTransforms(*message, is_static, ros::Time(), recording.transforms))
+      refuse(instance.getTopic(), *error, recording);
 }
 
 void addMessage(const rosbag::MessageInstance& m, const std::string& name, Recording& recording)
@@ -88,9 +96,7 @@ void addMessage(const rosbag::MessageInstance& m, const std::string& name, Recor
     recording.at(topic->stream).inputs.push_back({message->stamp.value_or(recorded), recorded, topic, *message});
     return;
   }
-  RefusalCount& refusal = recording.refusals[name];
-  ++refusal.count;
-  refusal.last_reason = "its type is " + m.getDataType();
+  refuse(name, "its type is " + m.getDataType() + ", not " + topic->type, recording);
 }
 
 std::string prefixOf(const std::string& ns)
@@ -161,7 +167,7 @@ void readBag(const std::string& path, const std::string& ns, bool needs_vehicle,
       const std::string& topic = m.getTopic();
       const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
       if (rooted == "/tf" || rooted == "/tf_static")
-        addTransforms(m, rooted == "/tf_static", recording);
+        addTransformsOf(m, rooted == "/tf_static", recording);
       else if (rooted.compare(0, prefix.size(), prefix) == 0)
         addMessage(m, rooted.substr(prefix.size()), recording);
     }
@@ -199,9 +205,7 @@ void acceptNext(InputStream of, Recording& recording, InputAdapter& adapter)
   const std::optional<InputError> error = input.message.accept(adapter, input.recorded);
   if (!error)
     return;
-  RefusalCount& refusal = recording.refusals[input.topic->name];
-  ++refusal.count;
-  refusal.last_reason = *error;
+  refuse(input.topic->name, *error, recording);
 }
 
 const monitor::MotionBuffer& trackOf(InputStream body, const monitor::TetherEstimator& estimator)
@@ -262,7 +266,7 @@ std::pair<ros::Time, ros::Time> poseSpan(const Recording& recording, InputStream
 {
   std::pair<ros::Time, ros::Time> span;
   for (const Input& input : recording.at(body).inputs)
-    if (input.topic->is_pose && !input.stamp.isZero() && (input.stamp - input.recorded).toSec() <= tolerance)
+    if (input.topic->is_pose && !input.stamp.isZero() && secondsBetween(input.stamp, input.recorded) <= tolerance)
     {
       if (span.first.isZero())
         span.first = input.stamp;

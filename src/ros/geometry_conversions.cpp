@@ -73,9 +73,16 @@ void setBlock(const core::Matrix3& block, int first, boost::array<double, 36>& c
       covariance[6 * (first + row) + first + column] = block(row, column);
 }
 
-monitor::MeasuredVector measuredVector(const core::Vector3& value, const core::Matrix3& covariance,
+monitor::MeasuredVector measuredVector(const core::Vector3& value, const core::Matrix3& told,
                                        const Eigen::Isometry3d& to_world, double not_measured)
 {
+  core::Matrix3 covariance = told;
+  for (int j = 0; j < 3; ++j)
+    if (told.row(j).hasNaN())
+    {
+      covariance.row(j).setZero();
+      covariance.col(j).setZero();
+    }
   constexpr double MIXED = 1e-6;  // share of an axis in another that counts
   const core::Matrix3 R = to_world.rotation();
   monitor::MeasuredVector measured(to_world * value, R * covariance * R.transpose());

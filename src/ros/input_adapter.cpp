@@ -20,10 +20,22 @@ Result resultOf(monitor::Rejection rejection)
   return rejection == monitor::Rejection::NONE ? std::nullopt : Result(describe(rejection));
 }
 
-template <typename Covariance>
-bool hasNan(const Covariance& covariance)
+Result outOfBounds(const monitor::TwistMeasurement& rates)
 {
-  return std::any_of(covariance.begin(), covariance.end(), [](double c) { return std::isnan(c); });
+  const Result error = tether_monitor::outOfBounds(Field::VELOCITY, rates.velocity);
+  return error ? error : tether_monitor::outOfBounds(Field::ANGULAR_VELOCITY, rates.angular_velocity);
+}
+
+Result outOfBounds(const core::Obstacle& obstacle)
+{
+  Result error = outOfBounds(Field::POSITION, obstacle.position);
+  if (!error)
+    error = outOfBounds(Field::VELOCITY, obstacle.velocity);
+  if (!error)
+    error = outOfBounds(Field::OBSTACLE_SIZE, obstacle.size);
+  if (!error)
+    error = outOfBounds(Field::MASS, obstacle.mass);
+  return error ? error : outOfBounds(Field::FRICTION, obstacle.friction);
 }
 }  // namespace
 
@@ -53,9 +65,11 @@ Result InputAdapter::checkStamp(const std_msgs::Header& header, const ros::Time&
 {
   if (header.stamp.isZero())
     return "header.stamp is zero";
-  const double ahead = (header.stamp - now).toSec();
-  if (ahead > estimator_.config().pose_timeout)
+  const double ahead = secondsBetween(header.stamp, now);
+  if (ahead > std::min(estimator_.config().pose_timeout, mostOf(Field::FUTURE)))
     return "header.stamp is " + std::to_string(ahead) + " s in the future";
+  if (-ahead > mostOf(Field::PAST))
+    return "header.stamp is " + std::to_string(-ahead) + " s in the past";
   return std::nullopt;
 }
 
@@ -77,7 +91,7 @@ geometry_msgs::TransformStamped InputAdapter::lookUp(const std::string& world,
   {
     // A moving frame is usually published a little after the poses in it.
     const geometry_msgs::TransformStamped last = transforms_.lookupTransform(world, header.frame_id, ros::Time());
-    if (std::abs((header.stamp - last.header.stamp).toSec()) > estimator_.config().pose_timeout)
+    if (std::abs(secondsBetween(header.stamp, last.header.stamp)) > estimator_.config().pose_timeout)
       throw;
     return last;
   }
@@ -115,6 +129,8 @@ Result InputAdapter::tryPose(Body body, const geometry_msgs::PoseStamped& messag
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
   pose.position = core::Vector3(to_world * vector(message.pose.position));
+  if (const Result error = outOfBounds(Field::POSITION, pose.position))
+    return error;
   pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation);
   return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
 }
@@ -147,6 +163,8 @@ Result InputAdapter::tryTwist(Body body, const geometry_msgs::TwistStamped& mess
   rates.t = time_.seconds(message.header.stamp);
   rates.velocity = core::Vector3(to_world.linear() * vector(message.twist.linear));
   rates.angular_velocity = to_world.linear() * vector(message.twist.angular);
+  if (const Result error = outOfBounds(rates))
+    return error;
   return resultOf(body == Body::VESSEL ? estimator_.addVessel(rates) : estimator_.addVehicle(rates));
 }
 
@@ -158,18 +176,15 @@ Result InputAdapter::accept(Body body, const nav_msgs::Odometry& message, const 
 Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
 {
   const auto& twist = message.twist.twist;
-  if (!vector(twist.linear).allFinite() || !vector(twist.angular).allFinite())
-    return describe(monitor::Rejection::NOT_FINITE);
   Eigen::Isometry3d to_world;
   if (const Result error = checkHeader(message.header, now, to_world))
     return error;
-  if (hasNan(message.pose.covariance) || hasNan(message.twist.covariance))
-    return "its covariance is not a number";
-
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
   pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0), to_world,
                                  NOT_MEASURED_STDDEV);
+  if (const Result error = outOfBounds(Field::POSITION, pose.position))
+    return error;
   pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.pose.orientation);
   const monitor::MeasuredVector angles =
       measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
@@ -182,7 +197,9 @@ Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, c
   rates.velocity =
       measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world, NOT_MEASURED_STDDEV);
   rates.angular_velocity = body_to_world.linear() * vector(twist.angular);
-  if (rates.velocity.isEmpty())
+  if (const Result error = outOfBounds(rates))
+    return error;
+  if (rates.velocity.isEmpty() || block(message.twist.covariance, 0).hasNaN())
     return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
   return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose, rates) : estimator_.addVehicle(pose, rates));
 }
@@ -201,8 +218,10 @@ Result InputAdapter::tryLength(double t, double length, double rate)
 Result InputAdapter::accept(const Payout& message, const ros::Time& now)
 {
   Result error = checkStamp(message.header, now);
-  if (!error && !std::isfinite(message.rate))
-    error = "rate is not finite";
+  if (!error)
+    error = outOfBounds(Field::LENGTH, message.length);
+  if (!error)
+    error = outOfBounds(Field::PAYOUT_RATE, message.rate);
   if (!error)
     error = tryLength(time_.seconds(message.header.stamp), message.length, message.rate);
   return noted(error, now);
@@ -229,6 +248,8 @@ Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Ti
 {
   if (!estimator_.simulation().model.environment().hasSeabed())
     return noted("a depth without environment.seabed in the parameters", now);
+  if (const Result error = outOfBounds(Field::DEPTH, message.data))
+    return noted(error, now);
   if (!estimator_.setDepth(message.data))
     return noted("depth = " + std::to_string(message.data) + " (must be > 0 m and deeper than the waves)", now);
   return std::nullopt;
@@ -249,8 +270,11 @@ Result InputAdapter::tryThrust(const geometry_msgs::WrenchStamped& message, cons
   if (message.header.frame_id != frame && !message.header.frame_id.empty())
     return "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
   const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
-  if (!thrust.force.allFinite() || !thrust.torque.allFinite())
-    return describe(monitor::Rejection::NOT_FINITE);
+  Result error = outOfBounds(Field::FORCE, thrust.force);
+  if (!error)
+    error = outOfBounds(Field::TORQUE, thrust.torque);
+  if (error)
+    return error;
   estimator_.setThrust(time_.seconds(message.header.stamp), thrust);
   return std::nullopt;
 }
@@ -265,10 +289,17 @@ Result InputAdapter::tryObstacles(const ObstacleArray& message, const ros::Time&
   Eigen::Isometry3d to_world;
   if (const Result error = checkHeader(message.header, now, to_world))
     return error;
+  if (const Result error = outOfBounds(Field::OBSTACLES, message.obstacles.size()))
+    return error;
   std::vector<core::Obstacle> obstacles(message.obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i)
-    if (const Result error = toObstacle(message.obstacles[i], to_world, obstacles[i]))
+  {
+    Result error = toObstacle(message.obstacles[i], to_world, obstacles[i]);
+    if (!error)
+      error = outOfBounds(obstacles[i]);
+    if (error)
       return error;
+  }
   const std::vector<std::string> faults = estimator_.setObstacles(time_.seconds(message.header.stamp), obstacles);
   return faults.empty() ? std::nullopt : Result(faults.front());
 }
@@ -286,9 +317,20 @@ Result InputAdapter::tryCurrent(const CurrentProfile& message, const ros::Time& 
   if (message.depth.size() != message.velocity.size())
     return "depth has " + std::to_string(message.depth.size()) + " entries, velocity " +
            std::to_string(message.velocity.size());
+  if (message.depth.size() > core::CurrentProfile::MOST_SAMPLES)
+    return "it has " + std::to_string(message.depth.size()) + " entries, at most " +
+           std::to_string(core::CurrentProfile::MOST_SAMPLES) + " can be";
   std::vector<core::CurrentProfile::Sample> samples;
   for (std::size_t i = 0; i < message.depth.size(); ++i)
     samples.push_back({message.depth[i], to_world.linear() * vector(message.velocity[i])});
+  for (const core::CurrentProfile::Sample& sample : samples)
+  {
+    Result error = outOfBounds(Field::WATER_VELOCITY, sample.velocity);
+    if (!error)
+      error = outOfBounds(Field::DEPTH, sample.depth);
+    if (error)
+      return error;
+  }
   const std::vector<std::string> faults = core::validate(samples);
   if (!faults.empty())
     return faults.front();

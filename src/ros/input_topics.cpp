@@ -8,6 +8,8 @@ namespace tether_monitor
 {
 namespace
 {
+constexpr int BODY_QUEUE = 100, OTHER_QUEUE = 5;  // messages that wait
+
 template <typename Message>
 using Accept = std::function<std::optional<InputError>(InputAdapter&, const Message&, const ros::Time&)>;
 
@@ -19,10 +21,12 @@ std::optional<ros::Time> stampOf(const Message& message)
 }
 
 template <typename Message>
-InputMessage wrapped(const boost::shared_ptr<const Message>& message, const Accept<Message>& accept)
+InputMessage wrapped(const boost::shared_ptr<const Message>& message, const std::string& publisher,
+                     const Accept<Message>& accept)
 {
-  return {stampOf(*message), [message, accept](InputAdapter& adapter, const ros::Time& now)
-          { return accept(adapter, *message, now); }};
+  return {stampOf(*message), publisher, [message, accept](InputAdapter& adapter, const ros::Time& now) {
+            return accept(adapter, *message, now);
+          }};
 }
 
 template <typename Message>
@@ -36,18 +40,22 @@ InputTopic topic(const char* name, const char* meaning, InputStream stream, bool
   entry.stream = stream;
   entry.is_pose = is_pose;
   const std::string topic_name = name;
-  entry.subscribe = [topic_name, accept](ros::NodeHandle& nh, int queue, const InputTopic::Callback& callback)
+  // What is large and rare must not pile up.
+  const int queue = stream == InputStream::OTHER ? OTHER_QUEUE : BODY_QUEUE;
+  entry.subscribe = [topic_name, queue, accept](ros::NodeHandle& nh, const InputTopic::Callback& callback)
   {
-    const boost::function<void(const boost::shared_ptr<const Message>&)> receive =
-        [accept, callback](const boost::shared_ptr<const Message>& message)
-    { callback(wrapped(message, accept)); };
-    return nh.subscribe<Message>(topic_name, queue, receive, ros::VoidConstPtr(),
-                                 ros::TransportHints().tcpNoDelay());
+    using Event = ros::MessageEvent<const Message>;
+    const boost::function<void(const Event&)> receive = [accept, callback](const Event& event)
+    { callback(wrapped(event.getConstMessage(), event.getPublisherName(), accept)); };
+    ros::SubscribeOptions options;
+    options.template initByFullCallbackType<const Event&>(topic_name, queue, receive);
+    options.transport_hints = ros::TransportHints().tcpNoDelay();
+    return nh.subscribe(options);
   };
   entry.read = [accept](const rosbag::MessageInstance& instance) -> std::optional<InputMessage>
   {
     const boost::shared_ptr<const Message> message = instance.instantiate<Message>();
-    return message ? std::optional<InputMessage>(wrapped(message, accept)) : std::nullopt;
+    return message ? std::optional<InputMessage>(wrapped(message, instance.getCallerId(), accept)) : std::nullopt;
   };
   return entry;
 }

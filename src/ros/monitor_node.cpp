@@ -4,12 +4,14 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/ros/input_topics.h"
 #include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/message_conversions.h"
 #include "tether_monitor/ros/parameter_server.h"
+#include "tether_monitor/ros/transform_input.h"
 
 namespace tether_monitor
 {
@@ -19,7 +21,8 @@ constexpr double ALARM_PERIOD = 1.0;        // [s]
 constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
 constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes take milliseconds
 constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
-constexpr int INPUT_QUEUE = 100;
+constexpr double SHORTEST_RESET_INTERVAL = 1.0;  // [s], wall clock: a start takes some time
+constexpr int TRANSFORM_QUEUE = 100;
 constexpr int OUTPUT_QUEUE = 10;
 }  // namespace
 
@@ -27,7 +30,6 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   : nh_(nh),
     private_nh_(private_nh),
     estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
-    listener_(transforms_),
     adapter_(estimator_, transforms_),
     updater_(nh, private_nh, private_nh.getNamespace())
 {
@@ -52,8 +54,10 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                { diagnoseVibration(diagnostic_inputs_.vibration, status); });
 
   for (const InputTopic& topic : inputTopics())
-    subscribers_.push_back(topic.subscribe(
-        nh_, INPUT_QUEUE, [this, &topic](const InputMessage& message) { receive(topic, message); }));
+    subscribers_.push_back(
+        topic.subscribe(nh_, [this, &topic](const InputMessage& message) { receive(topic, message); }));
+  subscribeToTransforms("/tf", false);
+  subscribeToTransforms("/tf_static", true);
 
   tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
@@ -68,14 +72,64 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
            config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
 }
 
+// Nothing that a message or a cycle meets ends the node.
+template <typename Work>
+bool MonitorNode::guarded(const std::string& what, const Work& work)
+{
+  std::string why = "an unknown exception";
+  try
+  {
+    work();
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    why = error.what();
+  }
+  catch (...)
+  {
+  }
+  RefusalCount& failure = diagnostic_inputs_.failures[what];
+  ++failure.count;
+  failure.last_reason = why;
+  ROS_ERROR_THROTTLE(REFUSAL_LOG_PERIOD, "%s failed: %s", what.c_str(), why.c_str());
+  return false;
+}
+
+void MonitorNode::subscribeToTransforms(const std::string& topic, bool is_static)
+{
+  const boost::function<void(const tf2_msgs::TFMessage&)> receive =
+      [this, topic, is_static](const tf2_msgs::TFMessage& message)
+  {
+    guarded(topic,
+            [&]
+            {
+              if (const auto error = addTransforms(message, is_static, ros::Time::now(), transforms_))
+                noteRefusal(topic, *error);
+            });
+  };
+  subscribers_.push_back(nh_.subscribe<tf2_msgs::TFMessage>(topic, TRANSFORM_QUEUE, receive));
+}
+
 void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
 {
   const ros::Time now = ros::Time::now();
   if (now.isZero())
     return noteRefusal(topic.name, "simulated time has not begun: nothing on /clock yet");
-  ensureTimeBase(now);
-  if (const std::optional<InputError> error = message.accept(adapter_, now))
-    noteRefusal(topic.name, *error);
+  guarded(topic.name,
+          [&]
+          {
+            ensureTimeBase(now);
+            noteStatistics(topic, message, now);
+            if (const std::optional<InputError> error = message.accept(adapter_, now))
+              noteRefusal(topic.name, *error);
+          });
+}
+
+void MonitorNode::noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
+{
+  const double offset = message.stamp ? secondsBetween(*message.stamp, now) : std::nan("");
+  diagnostic_inputs_.statistics[topic.name].add(time_.seconds(now), offset, message.publisher);
 }
 
 void MonitorNode::noteRefusal(const std::string& topic, const InputError& why)
@@ -101,6 +155,15 @@ void MonitorNode::tick()
   const ros::Time now = ros::Time::now();
   if (now.isZero() || now == last_tick_)
     return;
+  if (guarded("a cycle", [&] { step(now); }))
+    return;
+  // What is left of it may be anything: better no estimate than that.
+  guarded("a reset", [&] { estimator_.reset(); });
+  guarded("publishing", [&] { publish(now, 0.0); });
+}
+
+void MonitorNode::step(const ros::Time& now)
+{
   ensureTimeBase(now);
   const ros::WallTime began = ros::WallTime::now();
   const monitor::Status before = estimator_.estimate().status;
@@ -109,6 +172,7 @@ void MonitorNode::tick()
   if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_tick_)
   {
     transforms_.clear();
+    diagnostic_inputs_.statistics.clear();
     last_alarms_ = ros::Time();
   }
   last_tick_ = now;
@@ -141,7 +205,7 @@ void MonitorNode::publish(const ros::Time& stamp, double step_time)
   vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle, e.stations.ends.vehicle_moment));
   publishVehicle(header);
   publishContacts(header);
-  const bool due = (stamp - last_alarms_).toSec() >= ALARM_PERIOD || stamp < last_alarms_;
+  const bool due = secondsBetween(stamp, last_alarms_) >= ALARM_PERIOD || stamp < last_alarms_;
   if (estimator_.alarmsChanged() || acknowledged_ || due)
     publishAlarms(header);
   if (markers_pub_.getNumSubscribers() > 0)
@@ -195,6 +259,14 @@ void MonitorNode::publishAlarms(const std_msgs::Header& header)
 
 bool MonitorNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
 {
+  const ros::WallTime now = ros::WallTime::now();
+  if ((now - last_reset_).toSec() < SHORTEST_RESET_INTERVAL)
+  {
+    response.success = false;
+    response.message = "refused: the last reset was less than a second ago";
+    return true;
+  }
+  last_reset_ = now;
   estimator_.reset();
   response.success = true;
   response.message = "motion and measurements forgotten; settling anew at the next poses";

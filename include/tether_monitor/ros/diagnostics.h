@@ -7,6 +7,7 @@
 
 #include "tether_monitor/monitor/estimate/vibration_report.h"
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/input_statistics.h"
 
 namespace tether_monitor
 {
@@ -20,8 +21,10 @@ struct RefusalCount
 /// What the diagnostics need besides the estimator.
 struct DiagnosticInputs
 {
-  std::map<std::string, RefusalCount> refusals;  ///< by topic.
-  double worst_step_time = 0.0;                  ///< [s] since the start.
+  std::map<std::string, RefusalCount> refusals;       ///< by topic.
+  std::map<std::string, RefusalCount> failures;       ///< caught exceptions, by what was done.
+  std::map<std::string, InputStatistics> statistics;  ///< by topic.
+  double worst_step_time = 0.0;                       ///< [s] since the start.
   long ticks = 0;
   monitor::VibrationReport vibration;  ///< of the last update.
 };

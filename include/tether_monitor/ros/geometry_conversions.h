@@ -34,9 +34,9 @@ void setBlock(const core::Matrix3& block, int first, boost::array<double, 36>& c
 /**
  * A vector of a message in the axes of the world.
  *
- * A variance of zero or below, as ROS has it, says nothing of an axis: its accuracy is unspecified. One of
- * `not_measured` squared or more says that the axis was not measured. Turned to the world, an axis is as poor as
- * the poorest that it is made of.
+ * A variance of zero or below, as ROS has it, or none at all (NaN) says nothing of an axis: its accuracy is
+ * unspecified. One of `not_measured` squared or more says that the axis was not measured. Turned to the world, an
+ * axis is as poor as the poorest that it is made of.
  */
 monitor::MeasuredVector measuredVector(const core::Vector3& value, const core::Matrix3& covariance,
                                        const Eigen::Isometry3d& to_world, double not_measured);

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/message_bounds.h"
 #include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
@@ -24,9 +25,6 @@ enum class Body
   VESSEL,
   VEHICLE
 };
-
-/// Why a message was refused, for a person.
-using InputError = std::string;
 
 /**
  * Gives messages to an estimator: checks stamp, frame and numbers, converts, and says what was wrong.

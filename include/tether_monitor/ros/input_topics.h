@@ -24,6 +24,7 @@ enum class InputStream
 struct InputMessage
 {
   std::optional<ros::Time> stamp;  ///< of its header; none: it has none and counts from when it came.
+  std::string publisher;           ///< name of the node that sent it.
   std::function<std::optional<InputError>(InputAdapter&, const ros::Time& now)> accept;
 };
 
@@ -42,7 +43,7 @@ struct InputTopic
   std::string meaning;  ///< a phrase for the documents.
   InputStream stream = InputStream::OTHER;
   bool is_pose = false;  ///< says where the body of its stream is.
-  std::function<ros::Subscriber(ros::NodeHandle&, int queue, const Callback&)> subscribe;
+  std::function<ros::Subscriber(ros::NodeHandle&, const Callback&)> subscribe;
   /// Nothing if the message is of another type.
   std::function<std::optional<InputMessage>(const rosbag::MessageInstance&)> read;
 };

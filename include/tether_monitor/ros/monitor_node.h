@@ -4,7 +4,8 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tether_monitor/TetherState.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <string>
 #include <vector>
@@ -34,10 +35,15 @@ class MonitorNode
   MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
  private:
+  void subscribeToTransforms(const std::string& topic, bool is_static);
   void receive(const InputTopic& topic, const InputMessage& message);
+  void noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now);
+  template <typename Work>
+  bool guarded(const std::string& what, const Work& work);
   void noteRefusal(const std::string& topic, const InputError& why);
   void ensureTimeBase(const ros::Time& now);
   void tick();
+  void step(const ros::Time& now);
   void publish(const ros::Time& stamp, double step_time);
   void publishVehicle(const std_msgs::Header& header);
   void publishContacts(const std_msgs::Header& header);
@@ -48,8 +54,7 @@ class MonitorNode
 
   ros::NodeHandle nh_, private_nh_;
   monitor::TetherEstimator estimator_;
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_;
+  tf2::BufferCore transforms_;
   InputAdapter adapter_;
   TimeOrigin time_;
   bool has_time_base_ = false;
@@ -65,7 +70,7 @@ class MonitorNode
   ros::ServiceServer reset_server_, acknowledge_server_;
   ros::Timer tick_timer_;
   ros::WallTimer diagnostics_timer_;
-  ros::WallTime last_vibration_;
+  ros::WallTime last_vibration_, last_reset_;
   bool had_contact_ = false;
 };
 

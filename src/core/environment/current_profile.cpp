@@ -1,6 +1,8 @@
 #include "tether_monitor/core/environment/current_profile.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tether_monitor/core/base/bounds_check.h"
 
@@ -22,18 +24,19 @@ Vector3 CurrentProfile::at(double z) const
   const double depth = -z;
   if (depth <= samples_.front().depth)
     return samples_.front().velocity;
-  for (std::size_t i = 1; i < samples_.size(); ++i)
-  {
-    const Sample& lo = samples_[i - 1];
-    const Sample& hi = samples_[i];
-    if (depth <= hi.depth)
-      return lo.velocity + (depth - lo.depth) / (hi.depth - lo.depth) * (hi.velocity - lo.velocity);
-  }
-  return samples_.back().velocity;
+  if (!(depth < samples_.back().depth))
+    return samples_.back().velocity;
+  const auto hi = std::upper_bound(samples_.begin(), samples_.end(), depth,
+                                   [](double d, const Sample& sample) { return d < sample.depth; });
+  const Sample& lo = *std::prev(hi);
+  return lo.velocity + (depth - lo.depth) / (hi->depth - lo.depth) * (hi->velocity - lo.velocity);
 }
 
 std::vector<std::string> validate(const std::vector<CurrentProfile::Sample>& samples)
 {
+  if (samples.size() > CurrentProfile::MOST_SAMPLES)
+    return {"current has " + std::to_string(samples.size()) + " entries (at most " +
+            std::to_string(CurrentProfile::MOST_SAMPLES) + ": more would take the time of the tether's steps)"};
   std::vector<std::string> found;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {

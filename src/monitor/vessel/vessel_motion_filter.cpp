@@ -10,20 +10,13 @@ namespace
 {
 constexpr double SNAPSHOT_INTERVAL = 0.15;  // [s]
 constexpr std::size_t SNAPSHOTS = 32;
-constexpr double GATE = 6.0;                     // standard deviations: farther is an outlier
-constexpr int RESET_COUNT = 4;                   // so many outliers in a row are the truth
-constexpr double FASTEST_VESSEL = 20.0;          // [m/s]
-constexpr double INITIAL_VELOCITY_STDDEV = 5.0;  // standard deviation of an unknown velocity [m/s]
-constexpr double READY_SPEED = 0.3;              // standard deviation of the velocity to begin with [m/s]
-constexpr double INITIAL_WINDOW = 9.5;           // [s] of recent positions to begin with
-constexpr double BLEND_BANDWIDTH = 0.3;          // rate at which a correction fades [1/s]
-constexpr double LARGE_VARIANCE_RATIO = 3.0;     // squared innovations over what they should be that mean so
-constexpr double FASTEST_FADING = 10.0;          // factor on it then
-constexpr double RAMP_DURATION = 14.0;           // [s] in which waves come on top of the track at the start
-constexpr double ACCELERATION_STDDEV = 0.015,
-                 VERTICAL_ACCELERATION_STDDEV = 0.001;  // acceleration of the track, across and up [m/s^2]
-constexpr double FASTEST_ERROR = 1.0;                   // rate of the errors that fading leaves [1/s]
-constexpr double LONGEST_GAP = 60.0;                    // [s]; after it a filter begins anew
+constexpr double READY_SPEED = 0.3;           // standard deviation of the velocity to begin with [m/s]
+constexpr double INITIAL_WINDOW = 9.5;        // [s] of recent positions to begin with
+constexpr double BLEND_BANDWIDTH = 0.3;       // rate at which a correction fades [1/s]
+constexpr double LARGE_VARIANCE_RATIO = 3.0;  // squared innovations over what they should be that mean so
+constexpr double FASTEST_FADING = 10.0;       // factor on it then
+constexpr double RAMP_DURATION = 14.0;        // [s] in which waves come on top of the track at the start
+constexpr double FASTEST_ERROR = 1.0;         // rate of the errors that fading leaves [1/s]
 }  // namespace
 
 VesselMotionFilter::VesselMotionFilter()
@@ -35,9 +28,7 @@ VesselMotionFilter::VesselMotionFilter()
 
 void VesselMotionFilter::clear()
 {
-  estimate_ = Estimate();
-  estimate_.filters = {AxisKalmanFilter(ACCELERATION_STDDEV), AxisKalmanFilter(ACCELERATION_STDDEV),
-                       AxisKalmanFilter(VERTICAL_ACCELERATION_STDDEV)};
+  estimate_ = VesselAxisFilters();
   noise_ = velocity_noise_ = std::array<DifferenceNoiseEstimator, 3>();
   log_.clear();
   snapshots_.clear();
@@ -54,7 +45,7 @@ void VesselMotionFilter::start(double t, const core::EndMotion& end, double posi
   clear();
   for (int i = 0; i < 3; ++i)
   {
-    estimate_.filters[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
+    estimate_.axes[i].start(t, end.position[i], position_stddev, end.velocity[i], velocity_stddev);
     last_measured_[i] = t;
   }
 }
@@ -177,28 +168,7 @@ void VesselMotionFilter::run(const Entry& entry)
 {
   if (snapshots_.empty() || snapshots_.back().t + SNAPSHOT_INTERVAL <= entry.t)
     pushSnapshot(entry.t);
-  run(entry, estimate_);
-}
-
-void VesselMotionFilter::run(const Entry& entry, Estimate& estimate)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    AxisKalmanFilter& filter = estimate.filters[i];
-    if (!std::isfinite(entry.stddev[i]))
-      continue;
-    if (!filter.isStarted() || entry.t - filter.time() > LONGEST_GAP)
-    {
-      if (!entry.is_velocity)
-        filter.start(entry.t, entry.value[i], entry.stddev[i], 0.0, INITIAL_VELOCITY_STDDEV);
-      continue;
-    }
-    filter.predict(entry.t);
-    if (entry.is_velocity)
-      correctVelocity(i, entry, estimate);
-    else
-      correctPosition(i, entry, estimate);
-  }
+  estimate_.apply(entry);
 }
 
 // The filters as they were before what is stamped later than t.
@@ -208,55 +178,19 @@ VesselMotionFilter::Filters VesselMotionFilter::filtersAt(double t) const
   const auto after =
       std::find_if(snapshots_.begin(), snapshots_.end(), [&](const Snapshot& s) { return s.t > t; });
   if (is_past || after == snapshots_.begin())
-    return estimate_.filters;
-  Estimate then = std::prev(after)->estimate;
+    return estimate_.axes;
+  VesselAxisFilters then = std::prev(after)->estimate;
   const double from = std::prev(after)->t;
   const auto first =
       std::lower_bound(log_.begin(), log_.end(), from, [](const Entry& e, double x) { return e.t < x; });
   for (auto entry = first; entry != log_.end() && entry->t <= t; ++entry)
-    run(*entry, then);
-  return then.filters;
-}
-
-void VesselMotionFilter::correctVelocity(int i, const Entry& entry, Estimate& estimate)
-{
-  AxisKalmanFilter& filter = estimate.filters[i];
-  const bool is_good = std::abs(filter.normalizedVelocityInnovation(entry.value[i], entry.stddev[i])) < GATE;
-  if (is_good)
-    filter.correctVelocity(entry.value[i], entry.stddev[i]);
-  estimate.outliers += is_good ? 0 : 1;
-}
-
-void VesselMotionFilter::correctPosition(int i, const Entry& entry, Estimate& estimate)
-{
-  AxisKalmanFilter& filter = estimate.filters[i];
-  int& consecutive_outliers = estimate.consecutive_outliers[i];
-  const double innovation = filter.normalizedInnovation(entry.value[i], entry.stddev[i]);
-  if (std::abs(innovation) < GATE)
-  {
-    consecutive_outliers = 0;
-    filter.correctPosition(entry.value[i], entry.stddev[i]);
-  }
-  else if (++consecutive_outliers >= RESET_COUNT)
-  {
-    consecutive_outliers = 0;
-    filter.recordInnovation(innovation);
-    const double velocity = filter.at(entry.t).velocity;
-    const bool is_usable = std::abs(velocity) < FASTEST_VESSEL;
-    filter.start(entry.t, entry.value[i], entry.stddev[i], is_usable ? velocity : 0.0,
-                 is_usable ? 1.0 : INITIAL_VELOCITY_STDDEV);
-  }
-  else
-  {
-    ++estimate.outliers;
-    if (consecutive_outliers > 1)
-      filter.recordInnovation(innovation);
-  }
+    then.apply(*entry);
+  return then.axes;
 }
 
 bool VesselMotionFilter::hasPosition() const
 {
-  return std::all_of(estimate_.filters.begin(), estimate_.filters.end(),
+  return std::all_of(estimate_.axes.begin(), estimate_.axes.end(),
                      [](const AxisKalmanFilter& f) { return f.isStarted(); });
 }
 
@@ -267,7 +201,7 @@ bool VesselMotionFilter::isReady(double t) const
   for (const PositionWindow& recent : position_windows_)
     if (recent.span(t) < INITIAL_WINDOW)
       return false;
-  return std::all_of(estimate_.filters.begin(), estimate_.filters.end(),
+  return std::all_of(estimate_.axes.begin(), estimate_.axes.end(),
                      [](const AxisKalmanFilter& f) { return f.at(f.time()).velocity_stddev < READY_SPEED; });
 }
 
@@ -349,7 +283,7 @@ VesselMotionFilter::Motion VesselMotionFilter::motionOf(const Filters& filters, 
   for (int i = 0; i < 3; ++i)
   {
     const AxisKalmanFilter::Motion m =
-        filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + LONGEST_GAP));
+        filters[i].at(std::clamp(t, filters[i].time(), filters[i].time() + VesselAxisFilters::LONGEST_GAP));
     motion.end.position[i] = m.position;
     motion.end.velocity[i] = m.velocity;
     motion.position_stddev[i] = m.position_stddev;
@@ -361,7 +295,7 @@ VesselMotionFilter::Motion VesselMotionFilter::motionOf(const Filters& filters, 
 core::EndMotion VesselMotionFilter::estimateTrack(double t)
 {
   core::EndMotion end = at(t).end;
-  track_velocity_stddev_.setConstant(INITIAL_VELOCITY_STDDEV);
+  track_velocity_stddev_.setConstant(VesselAxisFilters::INITIAL_VELOCITY_STDDEV);
   WaveProbabilities probabilities = uniformWavePrior();
   for (const int i : {2, 0, 1})
   {
@@ -375,9 +309,9 @@ core::EndMotion VesselMotionFilter::estimateTrack(double t)
     track_velocity_stddev_[i] = found.velocity_stddev;
     if (!(found.wave_frequency > 0.0))
       continue;
-    estimate_.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+    estimate_.axes[i].setWaveModel(found.wave_frequency, found.wave_stddev);
     for (Snapshot& snapshot : snapshots_)
-      snapshot.estimate.filters[i].setWaveModel(found.wave_frequency, found.wave_stddev);
+      snapshot.estimate.axes[i].setWaveModel(found.wave_frequency, found.wave_stddev);
   }
   return end;
 }
@@ -393,7 +327,7 @@ bool VesselMotionFilter::isValid() const
 {
   const auto areSound = [](const auto& list)
   { return std::all_of(list.begin(), list.end(), [](const auto& item) { return item.isValid(); }); };
-  bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.filters) &&
+  bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.axes) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
                areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
                correction_.rate.allFinite() && ramp_track_.position.allFinite() &&
@@ -402,7 +336,7 @@ bool VesselMotionFilter::isValid() const
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < snapshots_.size(); ++i)
-    sound = sound && std::isfinite(snapshots_[i].t) && areSound(snapshots_[i].estimate.filters) &&
+    sound = sound && std::isfinite(snapshots_[i].t) && areSound(snapshots_[i].estimate.axes) &&
             (i == 0 || snapshots_[i].t >= snapshots_[i - 1].t);
   return sound;
 }

@@ -11,6 +11,8 @@ namespace tether_monitor::core
 class CurrentProfile
 {
  public:
+  static constexpr std::size_t MOST_SAMPLES = 1000;
+
   /// Velocity of the water, world frame [m/s], at a depth below the still water surface [m], positive down.
   struct Sample
   {
@@ -28,7 +30,8 @@ class CurrentProfile
   CurrentProfile() = default;
   /// The same velocity [m/s] everywhere.
   explicit CurrentProfile(const Vector3& velocity);
-  /// @param samples  in order of strictly increasing depth, finite; empty means still water.
+  /// @param samples  in order of strictly increasing depth, finite, at most MOST_SAMPLES; empty means still
+  /// water.
   /// @throws std::invalid_argument naming each sample that is out of order or not finite.
   explicit CurrentProfile(std::vector<Sample> samples);
 

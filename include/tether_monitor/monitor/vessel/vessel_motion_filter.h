@@ -7,9 +7,9 @@
 #include "tether_monitor/monitor/measurements/correction_blender.h"
 #include "tether_monitor/monitor/measurements/measured_vector.h"
 #include "tether_monitor/monitor/measurements/rejection.h"
-#include "tether_monitor/monitor/vessel/axis_kalman_filter.h"
 #include "tether_monitor/monitor/vessel/noise_estimator.h"
 #include "tether_monitor/monitor/vessel/position_window.h"
+#include "tether_monitor/monitor/vessel/vessel_axis_filters.h"
 
 namespace tether_monitor::monitor
 {
@@ -72,7 +72,7 @@ class VesselMotionFilter
   bool isRampingUp(double t) const;
   /// How fast the errors of a motion are [1/s].
   static double errorRate(const Motion& motion);
-  const AxisKalmanFilter& axis(int i) const { return estimate_.filters[i]; }
+  const AxisKalmanFilter& axis(int i) const { return estimate_.axes[i]; }
   /// Measurements that were rejected as outliers.
   long outliers() const { return estimate_.outliers; }
   bool isValid() const;
@@ -85,37 +85,12 @@ class VesselMotionFilter
   }
 
  private:
-  struct Entry
-  {
-    double t = 0.0;
-    bool is_velocity = false;
-    core::Vector3 value = core::Vector3::Zero();
-    core::Vector3 stddev = core::Vector3::Zero();  // infinite: not measured; 0: not known yet
-
-    template <class Archive>
-    void serialize(Archive& a)
-    {
-      a(t, is_velocity, value, stddev);
-    }
-  };
+  using Entry = VesselMeasurement;
   using Filters = std::array<AxisKalmanFilter, 3>;
-  // What follows from the measurements up to one time.
-  struct Estimate
-  {
-    Filters filters;
-    std::array<int, 3> consecutive_outliers{};
-    long outliers = 0;
-
-    template <class Archive>
-    void serialize(Archive& a)
-    {
-      a(filters, consecutive_outliers, outliers);
-    }
-  };
   struct Snapshot
   {
     double t = 0.0;
-    Estimate estimate;
+    VesselAxisFilters estimate;
 
     template <class Archive>
     void serialize(Archive& a)
@@ -131,15 +106,12 @@ class VesselMotionFilter
   void makeRoom();
   void runAgainFrom(std::size_t index);
   void run(const Entry& entry);
-  static void run(const Entry& entry, Estimate& estimate);
-  static void correctPosition(int i, const Entry& entry, Estimate& estimate);
-  static void correctVelocity(int i, const Entry& entry, Estimate& estimate);
   Filters filtersAt(double t) const;
   void pushSnapshot(double t);
   static Motion motionOf(const Filters& filters, double t);
   void rampWaveMotion(double t, Motion& motion) const;
 
-  Estimate estimate_;  // after all of the log
+  VesselAxisFilters estimate_;  // after all of the log
   std::array<PositionWindow, 3> position_windows_;
   std::array<DifferenceNoiseEstimator, 3> noise_, velocity_noise_;
   std::vector<Entry> log_;           // in order of time
