@@ -34,6 +34,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/input_statistics.cpp
   src/ros/input_topics.cpp
   src/ros/markers.cpp
+  src/ros/master_watch.cpp
   src/ros/message_bounds.cpp
   src/ros/message_conversions.cpp
   src/ros/monitor_node.cpp

@@ -89,7 +89,7 @@ set(test_files
   test/monitor/vehicle/innovation_gate_test.cpp
   test/monitor/vehicle/measurement_timing_test.cpp
   test/monitor/vehicle/vehicle_initializer_test.cpp
-  test/monitor/vessel/noise_estimator_test.cpp
+  test/monitor/measurements/noise_estimator_test.cpp
   test/monitor/vessel/position_window_test.cpp
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp

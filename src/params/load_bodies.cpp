@@ -14,6 +14,21 @@ monitor::BodyConfig loadBody(ParameterReader& in)
   body.frame = in.text("frame", body.frame);
   if (in.has("clamped"))
     body.clamped = in.vector("clamped");
+  body.least_stddev = in.number("least_stddev", body.least_stddev);
+  const std::string twist_frame = in.text("twist_frame", "child");
+  if (twist_frame != "child" && twist_frame != "world")
+    in.addError("twist_frame", " = '" + twist_frame + "' (must be child or world)");
+  body.twist_frame = twist_frame == "world" ? monitor::TwistFrame::WORLD : monitor::TwistFrame::CHILD;
+  const std::string axes = in.text("body_axes", "flu");
+  if (axes != "flu" && axes != "frd")
+    in.addError("body_axes", " = '" + axes + "' (must be flu or frd)");
+  if (axes == "frd")
+  {
+    body.body_axes = monitor::BodyAxes::FRD;
+    body.attachment = monitor::turnedAboutX(body.attachment);
+    if (body.clamped)
+      body.clamped = monitor::turnedAboutX(*body.clamped);
+  }
   return body;
 }
 
@@ -69,7 +84,9 @@ void loadVehicle(ParameterReader in, monitor::Config& config)
   // A file that was written for another mode stays good.
   if (mode == "observed")
     config.navigation = loadNavigation(in);
-  else
+  if (mode == "tracked" && in.has("position_stddev"))
+    config.vehicle.position_stddev = in.optionalNumber("position_stddev");
+  if (mode != "observed")
     for (const char* key : {"position_stddev", "velocity_stddev", "latency", "force_stddev", "drag_stddev"})
       in.ignore(key);
   if (mode == "tracked")

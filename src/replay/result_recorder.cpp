@@ -100,7 +100,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator)
   summary["max_tension"] = orNull(max_tension_);
   summary["max_tension_t"] = orNull(max_tension_t_);
   summary["max_tension_s"] = orNull(max_tension_s_);
-  for (const monitor::Status status : {monitor::Status::OK, monitor::Status::DEGRADED, monitor::Status::INVALID})
+  for (const monitor::Status status :
+       {monitor::Status::OK, monitor::Status::DEGRADED, monitor::Status::INVALID, monitor::Status::STOWED})
     summary["status"][describe(status)] = status_count_[static_cast<int>(status)];
   summary["reason"] = nlohmann::json::object();
   for (const auto& [reason, count] : reason_count_)

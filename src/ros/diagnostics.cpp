@@ -5,6 +5,7 @@
 
 #include "tether_monitor/core/cable/winch_drum.h"
 #include "tether_monitor/ros/alarm_text.h"
+#include "tether_monitor/ros/input_topics.h"
 
 namespace tether_monitor
 {
@@ -34,6 +35,91 @@ void diagnoseObserver(const monitor::TetherEstimator& estimator,
   status.add("Steps made again for late measurements", observer.replayedSteps());
   status.add("Outliers of the vessel's motion", estimator.vessel().outliers());
 }
+// Poses that come but are refused are another matter than none.
+std::string adviceOn(monitor::Reason reason, const DiagnosticInputs& inputs)
+{
+  using monitor::Reason;
+  std::string text = advice(reason);
+  if (reason != Reason::NO_INPUT && reason != Reason::VESSEL_STALE && reason != Reason::VEHICLE_STALE)
+    return text;
+  for (const InputTopic& topic : inputTopics())
+  {
+    const auto refusal = inputs.refusals.find(topic.name);
+    const bool concerns =
+        reason == Reason::NO_INPUT || (topic.stream == InputStream::VESSEL) == (reason == Reason::VESSEL_STALE);
+    if (topic.is_pose && concerns && refusal != inputs.refusals.end())
+      text = "Messages arrive on " + topic.name + ", but they are refused (" +
+             std::to_string(refusal->second.count) + "): " + refusal->second.last_reason + ".";
+  }
+  return text;
+}
+
+void diagnoseReasons(const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs,
+                     diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const monitor::TetherEstimate& e = estimator.estimate();
+  if (e.reason != monitor::Reason::NONE)
+    status.add("Likely cause and advice", adviceOn(e.reason, inputs));
+  for (int k = 1; k < static_cast<int>(monitor::Reason::COUNT); ++k)
+  {
+    const auto reason = static_cast<monitor::Reason>(k);
+    if (reason != e.reason && e.reasons.has(reason))
+      status.add(std::string("Also ") + describe(reason), adviceOn(reason, inputs));
+  }
+  using monitor::Implausibility;
+  using monitor::Subject;
+  for (int s = 0; s < static_cast<int>(Subject::COUNT); ++s)
+    for (int k = 0; k < static_cast<int>(Implausibility::COUNT); ++k)
+    {
+      const auto what = static_cast<Implausibility>(k);
+      const double age = e.time - estimator.findings().last(static_cast<Subject>(s), what);
+      if (age <= estimator.memory())
+        status.addf(std::string("Implausible: ") + describe(static_cast<Subject>(s)), "%s (%.1f s ago)",
+                    describe(what), age);
+    }
+}
+
+void diagnoseSurroundings(const DiagnosticInputs& inputs, diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  constexpr double CLOCKS_AGREE = 0.05;  // [s]
+  if (inputs.clock_stands)
+    status.mergeSummary(Level::ERROR, "the clock stands still: nothing on /clock, so there are no new estimates");
+  if (inputs.master_is_lost)
+    status.mergeSummary(Level::ERROR, "the ROS master does not answer: new nodes cannot connect");
+  double first = std::nan("");
+  std::string first_topic;
+  for (const auto& [topic, input] : inputs.statistics)
+  {
+    const InputTopic* known = findInputTopic(topic);
+    if (!input.hasOffset() || !known || !known->is_pose)
+      continue;
+    const double offset = input.offset().mean;
+    if (offset > CLOCKS_AGREE)
+      status.mergeSummaryf(Level::WARN, "the clock of %s is %.3f s ahead of ours", topic.c_str(), offset);
+    if (std::isnan(first))
+    {
+      first = offset;
+      first_topic = topic;
+    }
+    else if (std::abs(offset - first) > CLOCKS_AGREE)
+    {
+      status.mergeSummaryf(Level::WARN,
+                           "stamps of %s and %s lie %.3f s apart: their clocks disagree, or one comes late",
+                           first_topic.c_str(), topic.c_str(), std::abs(offset - first));
+    }
+  }
+}
+
+void diagnoseInput(const std::string& topic, const InputStatistics& input,
+                   diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  if (input.hasOffset())
+    status.addf("Input " + topic, "%ld, %.3g Hz, stamp less receipt %.4f s (%.4f to %.4f)", input.count(),
+                input.rate(), input.offset().mean, input.offset().least, input.offset().most);
+  else
+    status.addf("Input " + topic, "%ld, %.3g Hz", input.count(), input.rate());
+}
 }  // namespace
 
 void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs,
@@ -41,7 +127,8 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
 {
   using Level = diagnostic_msgs::DiagnosticStatus;
   const monitor::TetherEstimate& e = estimator.estimate();
-  const unsigned char level = e.status == monitor::Status::OK         ? Level::OK
+  const bool is_fine = e.status == monitor::Status::OK || e.status == monitor::Status::STOWED;
+  const unsigned char level = is_fine                                 ? Level::OK
                               : e.status == monitor::Status::DEGRADED ? Level::WARN
                                                                       : Level::ERROR;
   if (e.reason == monitor::Reason::NONE)
@@ -51,9 +138,9 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
   for (const monitor::Alarm& alarm : estimator.alarms().alarms())
     if (alarm.isAnnunciated())
       status.mergeSummary(alarm.definition().severity == monitor::Severity::WARNING ? Level::WARN : Level::ERROR,
-                          alarmText(alarm));
-  if (e.reason != monitor::Reason::NONE)
-    status.add("Likely cause and advice", advice(e.reason));
+                          alarmText(alarm, inputs.time));
+  diagnoseReasons(estimator, inputs, status);
+  diagnoseSurroundings(inputs, status);
   if (estimator.vehicle().observer())
     diagnoseObserver(estimator, status);
   status.add("Largest tension [N]", e.max_tension);
@@ -85,9 +172,13 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
   status.add("Newton iterations", estimator.simulation().count.iterations);
   status.add("Last solve", core::describe(estimator.simulation().last_solve.status));
   status.add("Longest computing time of a cycle [ms]", 1e3 * inputs.worst_step_time);
-  status.add("Cycles", inputs.ticks);
+  status.addf("Cycles", "%ld, %ld missed", inputs.ticks, inputs.missed);
+  for (const auto& [topic, input] : inputs.statistics)
+    diagnoseInput(topic, input, status);
   for (const auto& [topic, refusal] : inputs.refusals)
     status.addf("Refused on " + topic, "%ld, last: %s", refusal.count, refusal.last_reason.c_str());
+  for (const auto& [what, failure] : inputs.failures)
+    status.addf("Failures of " + what, "%ld, last: %s", failure.count, failure.last_reason.c_str());
 }
 
 void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_updater::DiagnosticStatusWrapper& status)

@@ -15,6 +15,33 @@ namespace
 {
 using Result = std::optional<InputError>;
 
+const Eigen::Quaterniond HALF_TURN(0.0, 1.0, 0.0, 0.0);  // about x: between the axes FLU and FRD
+
+// Of a body in a message, turned to the world and to the axes of the package; none if it says nothing (all zero).
+std::optional<Eigen::Quaterniond> orientationOf(const geometry_msgs::Quaternion& message,
+                                                const Eigen::Isometry3d& to_world, const monitor::BodyConfig& body)
+{
+  const Eigen::Quaterniond q = quaternion(message);
+  if (q.coeffs().isZero(0.0))
+    return std::nullopt;
+  const Eigen::Quaterniond turned = Eigen::Quaterniond(to_world.rotation()) * q;
+  return body.body_axes == monitor::BodyAxes::FRD ? turned * HALF_TURN : turned;
+}
+
+// From the axes in which a body's messages are to the world.
+Eigen::Isometry3d messageAxesToWorld(const monitor::BodyConfig& body, const Eigen::Quaterniond& orientation)
+{
+  const bool is_turned = body.body_axes == monitor::BodyAxes::FRD;
+  return Eigen::Isometry3d(is_turned ? (orientation * HALF_TURN).normalized() : orientation.normalized());
+}
+
+// Zeros of which nothing tells how good they are: a field that nobody fills.
+bool isUnfilled(const geometry_msgs::TwistWithCovariance& twist)
+{
+  const auto isZero = [](const geometry_msgs::Vector3& v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; };
+  return isZero(twist.twist.linear) && isZero(twist.twist.angular) && block(twist.covariance, 0).isZero(0.0);
+}
+
 Result resultOf(monitor::Rejection rejection)
 {
   return rejection == monitor::Rejection::NONE ? std::nullopt : Result(describe(rejection));
@@ -131,7 +158,7 @@ Result InputAdapter::tryPose(Body body, const geometry_msgs::PoseStamped& messag
   pose.position = core::Vector3(to_world * vector(message.pose.position));
   if (const Result error = outOfBounds(Field::POSITION, pose.position))
     return error;
-  pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.orientation);
+  pose.orientation = orientationOf(message.pose.orientation, to_world, config(body));
   return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
 }
 
@@ -143,9 +170,12 @@ Result InputAdapter::bodyAxesToWorld(Body body, const std_msgs::Header& header, 
     return checkHeader(header, now, to_world);
   if (const Result error = checkStamp(header, now))
     return error;
+  to_world.setIdentity();
+  if (config(body).twist_frame == monitor::TwistFrame::WORLD)
+    return std::nullopt;
   if (!track(body).hasPose())
     return "a twist in the body's frame before any pose";
-  to_world = Eigen::Isometry3d(track(body).lastOrientation());
+  to_world = messageAxesToWorld(config(body), track(body).lastOrientation());
   return std::nullopt;
 }
 
@@ -185,22 +215,27 @@ Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, c
                                  NOT_MEASURED_STDDEV);
   if (const Result error = outOfBounds(Field::POSITION, pose.position))
     return error;
-  pose.orientation = Eigen::Quaterniond(to_world.rotation()) * quaternion(message.pose.pose.orientation);
+  pose.orientation = orientationOf(message.pose.pose.orientation, to_world, config(body));
   const monitor::MeasuredVector angles =
       measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
   if (!angles.isComplete())
     pose.orientation.reset();
 
-  const Eigen::Isometry3d body_to_world(pose.orientation.value_or(track(body).lastOrientation()).normalized());
+  const Eigen::Quaterniond orientation = pose.orientation.value_or(track(body).lastOrientation());
+  const Eigen::Isometry3d body_to_world = config(body).twist_frame == monitor::TwistFrame::WORLD
+                                              ? Eigen::Isometry3d(to_world.rotation())
+                                              : messageAxesToWorld(config(body), orientation);
   monitor::TwistMeasurement rates;
   rates.t = pose.t;
   rates.velocity =
       measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world, NOT_MEASURED_STDDEV);
   rates.angular_velocity = body_to_world.linear() * vector(twist.angular);
+  const bool knows_axes = pose.orientation || track(body).hasPose();
+  if (rates.velocity.isEmpty() || block(message.twist.covariance, 0).hasNaN() || isUnfilled(message.twist) ||
+      !knows_axes)
+    return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
   if (const Result error = outOfBounds(rates))
     return error;
-  if (rates.velocity.isEmpty() || block(message.twist.covariance, 0).hasNaN())
-    return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
   return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose, rates) : estimator_.addVehicle(pose, rates));
 }
 
@@ -269,7 +304,9 @@ Result InputAdapter::tryThrust(const geometry_msgs::WrenchStamped& message, cons
   const std::string& frame = estimator_.config().vehicle.frame;
   if (message.header.frame_id != frame && !message.header.frame_id.empty())
     return "frame '" + message.header.frame_id + "' is not the vehicle's ('" + frame + "')";
-  const core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
+  core::Wrench thrust{vector(message.wrench.force), vector(message.wrench.torque)};
+  if (estimator_.config().vehicle.body_axes == monitor::BodyAxes::FRD)
+    thrust = {monitor::turnedAboutX(thrust.force), monitor::turnedAboutX(thrust.torque)};
   Result error = outOfBounds(Field::FORCE, thrust.force);
   if (!error)
     error = outOfBounds(Field::TORQUE, thrust.torque);

@@ -42,4 +42,10 @@ std::vector<std::string> InputStatistics::publishers(double t) const
   return names;
 }
 
+std::size_t InputStatistics::publisherCount(double t) const
+{
+  return std::count_if(last_heard_.begin(), last_heard_.end(),
+                       [t](const auto& heard) { return t - heard.second <= WINDOW; });
+}
+
 }  // namespace tether_monitor

@@ -10,8 +10,9 @@
 namespace tether_monitor
 {
 static_assert(static_cast<int>(monitor::Status::INVALID) == TetherState::STATUS_INVALID, "status codes differ");
-static_assert(static_cast<int>(monitor::Reason::UNCERTAIN) == TetherState::REASON_UNCERTAIN,
+static_assert(static_cast<int>(monitor::Reason::IMPLAUSIBLE) == TetherState::REASON_IMPLAUSIBLE,
               "reason codes differ");
+static_assert(static_cast<int>(monitor::Status::STOWED) == TetherState::STATUS_STOWED, "status codes differ");
 static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
               "alarm state codes differ");
 static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
@@ -23,6 +24,8 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
   const std::size_t n = e.has_stations ? at.s.size() : 0;
   out.status = static_cast<uint8_t>(e.status);
   out.reason = static_cast<uint8_t>(e.reason);
+  out.reasons = e.reasons.bits();
+  out.is_stowed = e.is_stowed;
   out.length = e.length;
   out.stretched_length = e.has_stations ? at.stretched_length : NONE;
   out.payout_rate = e.payout_rate;
@@ -101,15 +104,19 @@ std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isom
   return std::nullopt;
 }
 
-nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
+nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const monitor::BodyConfig& body,
                                   const monitor::TetherEstimate& e)
 {
   nav_msgs::Odometry message;
   message.header = header;
-  message.child_frame_id = child_frame;
+  message.child_frame_id = body.frame;
   message.pose.pose.position = pointMessage(e.vehicle.position);
-  message.pose.pose.orientation = quaternionMessage(e.vehicle.orientation);
-  const Eigen::Quaterniond to_body = e.vehicle.orientation.conjugate();
+  const bool is_turned = body.body_axes == monitor::BodyAxes::FRD;
+  const Eigen::Quaterniond half_turn =
+      is_turned ? Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0) : Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond orientation = e.vehicle.orientation * half_turn;
+  message.pose.pose.orientation = quaternionMessage(orientation);
+  const Eigen::Quaterniond to_body = orientation.conjugate();
   message.twist.twist.linear = vectorMessage(to_body * e.vehicle.velocity);
   message.twist.twist.angular = vectorMessage(to_body * e.vehicle.angular_velocity);
   if (std::isfinite(e.vehicle_position_stddev))
@@ -148,7 +155,7 @@ AlarmArray toMessage(const monitor::AlarmSet& set, const TimeOrigin& time)
     message.limit = alarm.definition().limit;
     message.s = alarm.s();
     message.since = time.stamp(alarm.since());
-    message.text = alarmText(alarm);
+    message.text = alarmText(alarm, time);
     array.alarms.push_back(message);
   }
   return array;

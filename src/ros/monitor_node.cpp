@@ -47,7 +47,7 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   reset_server_ = private_nh_.advertiseService("reset", &MonitorNode::reset, this);
   acknowledge_server_ = private_nh_.advertiseService("acknowledge", &MonitorNode::acknowledge, this);
 
-  updater_.setHardwareID("tether");
+  updater_.setHardwareID(private_nh_.getNamespace());
   updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
                { diagnose(estimator_, diagnostic_inputs_, status); });
   updater_.add("vibration", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
@@ -64,6 +64,7 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                                            [this](const ros::WallTimerEvent&)
                                            {
                                              updateVibration();
+                                             updateSurroundings();
                                              updater_.force_update();
                                            });
   const std::string elements =
@@ -128,8 +129,13 @@ void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
 
 void MonitorNode::noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
 {
-  const double offset = message.stamp ? secondsBetween(*message.stamp, now) : std::nan("");
-  diagnostic_inputs_.statistics[topic.name].add(time_.seconds(now), offset, message.publisher);
+  const double offset = message.stamp ? secondsBetween(*message.stamp, now) : std::nan(""), t = time_.seconds(now);
+  InputStatistics& statistics = diagnostic_inputs_.statistics[topic.name];
+  statistics.add(t, offset, message.publisher);
+  if (topic.is_pose && statistics.publisherCount(t) > 1)
+    estimator_.noteImplausible(
+        topic.stream == InputStream::VESSEL ? monitor::Subject::VESSEL : monitor::Subject::VEHICLE,
+        monitor::Implausibility::TWO_SOURCES, t);
 }
 
 void MonitorNode::noteRefusal(const std::string& topic, const InputError& why)
@@ -146,6 +152,7 @@ void MonitorNode::ensureTimeBase(const ros::Time& now)
     return;
   has_time_base_ = true;
   time_ = TimeOrigin(now);
+  diagnostic_inputs_.time = time_;
   adapter_.setTimeBase(time_);
   estimator_.setEpoch(time_.epoch());
 }
@@ -175,6 +182,9 @@ void MonitorNode::step(const ros::Time& now)
     diagnostic_inputs_.statistics.clear();
     last_alarms_ = ros::Time();
   }
+  const double since_last = secondsBetween(now, last_tick_);
+  if (!last_tick_.isZero() && since_last > 0.0)
+    diagnostic_inputs_.missed += std::max(0L, std::lround(since_last * estimator_.config().rate) - 1);
   last_tick_ = now;
   const double step_time = (ros::WallTime::now() - began).toSec();
   diagnostic_inputs_.worst_step_time = std::max(diagnostic_inputs_.worst_step_time, step_time);
@@ -215,8 +225,9 @@ void MonitorNode::publish(const ros::Time& stamp, double step_time)
 void MonitorNode::publishVehicle(const std_msgs::Header& header)
 {
   const monitor::TetherEstimate& e = estimator_.estimate();
+  const monitor::BodyConfig& body = estimator_.config().vehicle;
   if (e.has_vehicle)
-    vehicle_pub_.publish(vehicleMessage(header, estimator_.config().vehicle.frame, e));
+    vehicle_pub_.publish(vehicleMessage(header, body, e));
 }
 
 // While something is touched, and once when nothing is any more.
@@ -246,6 +257,14 @@ void MonitorNode::updateVibration()
       estimator_.simulation().model, estimator_.simulation().state, estimator_.vortexShedding());
   if (!diagnostic_inputs_.vibration.modes.empty())
     last_vibration_ = now;
+}
+
+void MonitorNode::updateSurroundings()
+{
+  const ros::Time now = ros::Time::now();
+  diagnostic_inputs_.clock_stands = now == last_seen_clock_;
+  last_seen_clock_ = now;
+  diagnostic_inputs_.master_is_lost = master_watch_.isLost();
 }
 
 void MonitorNode::publishAlarms(const std_msgs::Header& header)

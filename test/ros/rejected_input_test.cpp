@@ -19,7 +19,7 @@ TEST(RejectedInput, IsDiagnosedAndHarmsNothing)
   EXPECT_EQ(scenario.state.status, TetherState::STATUS_DEGRADED);
   EXPECT_EQ(scenario.state.reason, TetherState::REASON_REJECTED_INPUT);
   EXPECT_NEAR(scenario.state.vessel_tension, tension, 1e-3 * tension);
-  EXPECT_TRUE(scenario.diagnosticsSay("Refused on vehicle/pose: 1, last: a number is not finite"));
+  EXPECT_TRUE(scenario.diagnosticsSay("Refused on vehicle/pose: 1, last: position is not finite"));
   scenario.run(1.5);
   EXPECT_EQ(scenario.state.status, TetherState::STATUS_OK);
 
@@ -30,7 +30,7 @@ TEST(RejectedInput, IsDiagnosedAndHarmsNothing)
   EXPECT_TRUE(scenario.diagnosticsSay("odom_of_somebody"));
 
   bad = scenario.pose({60.0, 0.0, -70.0}, "map");
-  bad.pose.orientation.w = 0.0;
+  bad.pose.orientation.w = 0.5;
   bad.header.stamp += ros::Duration(0.01);
   scenario.publishVehicle(bad);
   scenario.run(0.1);

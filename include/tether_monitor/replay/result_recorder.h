@@ -47,7 +47,7 @@ class ResultRecorder
   double max_tension_ = std::numeric_limits<double>::quiet_NaN();
   double max_tension_t_ = max_tension_;
   double max_tension_s_ = max_tension_;
-  std::array<long, 3> status_count_{};
+  std::array<long, 4> status_count_{};
   std::map<std::string, long> reason_count_;
 };
 

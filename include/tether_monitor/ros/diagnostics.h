@@ -8,6 +8,7 @@
 #include "tether_monitor/monitor/estimate/vibration_report.h"
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/input_statistics.h"
+#include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
 {
@@ -24,8 +25,12 @@ struct DiagnosticInputs
   std::map<std::string, RefusalCount> refusals;       ///< by topic.
   std::map<std::string, RefusalCount> failures;       ///< caught exceptions, by what was done.
   std::map<std::string, InputStatistics> statistics;  ///< by topic.
+  TimeOrigin time;                                    ///< of the estimator's seconds.
   double worst_step_time = 0.0;                       ///< [s] since the start.
   long ticks = 0;
+  long missed = 0;                     ///< cycles that should have been and were not.
+  bool clock_stands = false;           ///< time has not gone on since the last update.
+  bool master_is_lost = false;         ///< the ROS master does not answer.
   monitor::VibrationReport vibration;  ///< of the last update.
 };
 

@@ -31,6 +31,7 @@ class InputStatistics
   bool hasOffset() const { return has_offset_; }
   /// Who has published within the last window at time t [s].
   std::vector<std::string> publishers(double t) const;
+  std::size_t publisherCount(double t) const;
 
  private:
   struct Window

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tether_monitor/monitor/alarms/alarm_set.h"
+#include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/ros/time_conversion.h"
 
@@ -29,8 +30,9 @@ ContactArray contactsMessage(const monitor::TetherEstimate& estimate,
 std::optional<std::string> toObstacle(const Obstacle& message, const Eigen::Isometry3d& to_world,
                                       core::Obstacle& obstacle);
 
-/// Pose and twist (in the body's axes) of a simulated vehicle; estimate.has_vehicle must hold.
-nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const std::string& child_frame,
+/// Pose and twist (in the body's axes, as its messages have them) of a simulated vehicle; estimate.has_vehicle
+/// must hold.
+nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const monitor::BodyConfig& body,
                                   const monitor::TetherEstimate& estimate);
 
 /// Force [N] and moment [N m] at a tether end; NaN while there is none.

@@ -14,6 +14,7 @@
 #include "tether_monitor/ros/diagnostics.h"
 #include "tether_monitor/ros/input_adapter.h"
 #include "tether_monitor/ros/input_topics.h"
+#include "tether_monitor/ros/master_watch.h"
 
 namespace tether_monitor
 {
@@ -48,6 +49,7 @@ class MonitorNode
   void publishVehicle(const std_msgs::Header& header);
   void publishContacts(const std_msgs::Header& header);
   void updateVibration();
+  void updateSurroundings();
   void publishAlarms(const std_msgs::Header& header);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool acknowledge(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -58,11 +60,12 @@ class MonitorNode
   InputAdapter adapter_;
   TimeOrigin time_;
   bool has_time_base_ = false;
-  ros::Time last_tick_, last_alarms_;
+  ros::Time last_tick_, last_alarms_, last_seen_clock_;
   bool acknowledged_ = false;
   TetherState state_message_;
   DiagnosticInputs diagnostic_inputs_;
   diagnostic_updater::Updater updater_;
+  MasterWatch master_watch_;
 
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher state_pub_, vessel_force_pub_, vehicle_force_pub_, over_tension_pub_, alarms_pub_, markers_pub_;

@@ -17,10 +17,13 @@ bool EndDynamicStiffnessSolver::solve(const DeployedCable& cable, const CableSta
   cable.assemble(state, weights, residual_, tangent_);
 
   const Matrix3 without_body = tangent_.diagonal(last).topLeftCorner<3, 3>();
-  CondensedBody condensed;
-  const Wrench no_thrust;
-  condensed.assemble({*cable.bodies().vehicle, static_cast<std::size_t>(last), state.vehicle, no_thrust},
-                     cable.environment(), state, weights, residual_.back(), tangent_.diagonal(last));
+  if (const std::optional<RigidBody>& vehicle = cable.bodies().vehicle)
+  {
+    CondensedBody condensed;
+    const Wrench no_thrust;
+    condensed.assemble({*vehicle, static_cast<std::size_t>(last), state.vehicle, no_thrust}, cable.environment(),
+                       state, weights, residual_.back(), tangent_.diagonal(last));
+  }
   const Matrix3 body = tangent_.diagonal(last).topLeftCorner<3, 3>() - without_body;
 
   const Eigen::Matrix<double, 3, 6> own = tangent_.diagonal(0).topRows<3>();

@@ -21,6 +21,8 @@ bool Alarm::update(double t, double value, double s)
     return false;
   }
   const double sign = definition_.side == Side::ABOVE ? 1.0 : -1.0;
+  if (isActive() && sign * (value - peak_) > 0.0)
+    peak_ = value;
   const double past = sign * (value - definition_.limit);
   const bool wants_change = isActive() ? past < -definition_.timing.deadband : past > 0.0;
   if (!wants_change)
@@ -34,7 +36,11 @@ bool Alarm::update(double t, double value, double s)
   if (t - *pending_since_ < delay - 1e-9)
     return false;
   if (!isActive())
+  {
     enter(AlarmState::UNACKNOWLEDGED, t);
+    onset_ = t;
+    peak_ = value;
+  }
   else if (state_ == AlarmState::UNACKNOWLEDGED && definition_.timing.latch)
     enter(AlarmState::RETURNED_UNACKNOWLEDGED, t);
   else

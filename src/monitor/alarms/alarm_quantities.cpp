@@ -98,6 +98,7 @@ const std::vector<AlarmQuantity> QUANTITIES{
 }  // namespace
 
 const char* const OVER_TENSION = "over_tension";
+const char* const BREAKING = "breaking";
 
 const std::vector<AlarmQuantity>& alarmQuantities()
 {

@@ -23,7 +23,7 @@ AlarmSet::AlarmSet(const Config& config)
     const AlarmConfig alarm = alarmConfig(config, quantity);
     const auto define = [&](const std::string& name, Severity severity, double limit)
     {
-      alarms_.emplace_back(AlarmDefinition{name, severity, quantity.side, limit, alarm.timing});
+      alarms_.emplace_back(AlarmDefinition{name, severity, quantity.side, limit, alarm.timing, quantity.unit});
       quantities_.push_back(&quantity);
     };
     if (alarm.limit)
@@ -62,7 +62,11 @@ void AlarmSet::resetTimers()
 bool AlarmSet::overTension() const
 {
   return std::any_of(alarms_.begin(), alarms_.end(),
-                     [](const Alarm& a) { return a.definition().name == OVER_TENSION && a.isAnnunciated(); });
+                     [](const Alarm& a)
+                     {
+                       const std::string& name = a.definition().name;
+                       return a.isAnnunciated() && (name == OVER_TENSION || name == BREAKING);
+                     });
 }
 
 }  // namespace tether_monitor::monitor

@@ -31,6 +31,17 @@ std::vector<std::string> validate(const NavigationConfig& n)
   return all;
 }
 
+void validateAccuracy(const std::string& prefix, const BodyConfig& body, std::vector<std::string>& all)
+{
+  core::BoundsCheck check(prefix);
+  check.positive("least_stddev", body.least_stddev, "m");
+  if (body.position_stddev)
+    check.positive("position_stddev", *body.position_stddev, "m");
+  if (body.velocity_stddev)
+    check.positive("velocity_stddev", *body.velocity_stddev, "m/s");
+  add(check.problems(), all);
+}
+
 // Bending stiffness at the vessel end (s = 0) or the vehicle end [N m^2].
 double endBendingStiffness(const Config& c, double s)
 {
@@ -70,12 +81,8 @@ std::vector<std::string> validate(const Config& c)
     add(core::validate(c.vehicle_body), all);
   if (c.vehicle_mode == VehicleMode::OBSERVED)
     add(validate(c.navigation), all);
-  core::BoundsCheck vessel("vessel.");
-  if (c.vessel.position_stddev)
-    vessel.positive("position_stddev", *c.vessel.position_stddev, "m");
-  if (c.vessel.velocity_stddev)
-    vessel.positive("velocity_stddev", *c.vessel.velocity_stddev, "m/s");
-  add(vessel.problems(), all);
+  validateAccuracy("vessel.", c.vessel, all);
+  validateAccuracy("vehicle.", c.vehicle, all);
   validateClamp(c, "vessel", c.vessel, 0.0, all);
   validateClamp(c, "vehicle", c.vehicle, c.tether.length, all);
 

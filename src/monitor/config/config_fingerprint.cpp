@@ -74,7 +74,11 @@ std::uint64_t fingerprint(const Config& config)
   if (c.vehicle_mode == VehicleMode::OBSERVED)
   {
     add(c.navigation, to);
-    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.invalid_timeout);
+    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev, c.invalid_timeout);
+  }
+  else
+  {
+    to(c.vehicle.position_stddev);
   }
   to(c.vehicle_mode, c.drag_amplification, c.vessel.attachment, c.vehicle.attachment, c.vessel.clamped,
      c.vehicle.clamped, c.accuracy);

@@ -118,6 +118,7 @@ void invalidate(Reason reason, TetherEstimate& e)
   TetherEstimate empty;
   empty.time = e.time;
   empty.reason = reason;
+  empty.reasons.add(reason);
   empty.vessel_age = e.vessel_age;
   empty.vehicle_age = e.vehicle_age;
   empty.vehicle_overdue = e.vehicle_overdue;

@@ -2,6 +2,19 @@
 
 namespace tether_monitor::monitor
 {
+Reason ReasonSet::gravest() const
+{
+  static constexpr Reason ORDER[] = {Reason::CLOCK_JUMP,    Reason::NO_INPUT,      Reason::NOT_CONVERGED,
+                                     Reason::VESSEL_STALE,  Reason::VEHICLE_STALE, Reason::PAYOUT_STALE,
+                                     Reason::IMPLAUSIBLE,   Reason::OUT_OF_RANGE,  Reason::MESH_COARSE,
+                                     Reason::SETTLING,      Reason::DISAGREEMENT,  Reason::UNCERTAIN,
+                                     Reason::REJECTED_INPUT};
+  for (const Reason reason : ORDER)
+    if (has(reason))
+      return reason;
+  return Reason::NONE;
+}
+
 const char* describe(Status status)
 {
   switch (status)
@@ -12,6 +25,8 @@ const char* describe(Status status)
       return "DEGRADED";
     case Status::INVALID:
       return "INVALID";
+    case Status::STOWED:
+      return "STOWED";
   }
   return "UNKNOWN";
 }
@@ -46,6 +61,10 @@ const char* describe(Reason reason)
       return "DISAGREEMENT";
     case Reason::UNCERTAIN:
       return "UNCERTAIN";
+    case Reason::IMPLAUSIBLE:
+      return "IMPLAUSIBLE";
+    case Reason::COUNT:
+      break;
   }
   return "UNKNOWN";
 }
@@ -86,6 +105,10 @@ const char* advice(Reason reason)
              "or poor.";
     case Reason::CLOCK_JUMP:
       return "Time ran backwards (a looping bag?) or leapt ahead; the monitor starts anew.";
+    case Reason::IMPLAUSIBLE:
+      return "An input cannot be true, or what it has done is still in the tether: what was found stands below.";
+    case Reason::COUNT:
+      break;
   }
   return "";
 }

@@ -17,6 +17,8 @@ constexpr double ABSURD = 10.0;         // breaking loads: no tether carries tha
 constexpr double SETTLING_TIME = 60.0;  // [s] that a tether which was not at rest is given
 constexpr int CATCH_UP_STEPS = 10;      // of a period in a tick: a start that took long is followed by more motion
 constexpr double START_RETRY = 1.0;     // [s] between attempts to find a steady state
+constexpr double LEAST_DEPLOYED = 0.1;  // [m]; less is none
+constexpr double LONGEST_MEMORY = 60.0, SHORTEST_MEMORY = 1.0;  // of a tether for a blow [s]
 }  // namespace
 
 EstimationCycle::EstimationCycle(const Config& config)
@@ -61,7 +63,17 @@ std::vector<std::string> EstimationCycle::setObstacles(double t, const std::vect
 
 bool EstimationCycle::addPayout(double t, double length, double rate)
 {
-  return payout_.add(t, length, rate, canDeploy(config_, simulation_.model, length));
+  if (length >= 0.0 && length < LEAST_DEPLOYED && !(t < stowed_at_.value_or(t)))
+  {
+    if (!stowed_at_)
+      payout_.clear();
+    stowed_at_ = t;
+    return true;
+  }
+  if (!payout_.add(t, length, rate, canDeploy(config_, simulation_.model, length)))
+    return false;
+  stowed_at_.reset();
+  return true;
 }
 
 void EstimationCycle::reset()
@@ -70,6 +82,8 @@ void EstimationCycle::reset()
   vehicle_->clear();
   payout_.clear();
   watchdog_.clear();
+  findings_.clear();
+  stowed_at_.reset();
   simulation_.state.deployment.parted_element.reset();
   invalidate(Reason::NO_INPUT, estimate_);
   phase_ = Phase::IDLE;
@@ -153,9 +167,22 @@ const TetherEstimate& EstimationCycle::tick(double t)
   if (phase_ == Phase::IDLE)
     phase_ = Phase::WAITING;
   updateAges(t);
-  const Reason missing = watchdog_.invalidReason(estimate_, isRunning() && vehicle_->canCoast());
-  if (missing != Reason::NONE)
-    return refuse(t, missing);
+  findings_.collect(*vessel_, *vehicle_, payout_, t);
+  if (stowed_at_)
+    return stowed(t);
+  const ReasonSet missing = watchdog_.invalidReasons(estimate_, isRunning() && vehicle_->canCoast());
+  if (!missing.isEmpty())
+  {
+    refuse(t, missing.gravest());
+    estimate_.reasons = missing;
+    return estimate_;
+  }
+  const bool vessel_leapt = vessel_->takeLeap(), vehicle_leapt = vehicle_->takeLeap();
+  if ((vessel_leapt || vehicle_leapt) && phase_ != Phase::WAITING)
+  {
+    announceStart(t);
+    return refuse(t, Reason::SETTLING);
+  }
   if (isRunning())
     return advance(t, targetsAt(t));
   const bool is_under_way = catches_up_ || !start_worker_.isIdle();
@@ -309,20 +336,39 @@ const TetherEstimate& EstimationCycle::advance(double t, const EndTargets& ends)
   return publish(ends);
 }
 
-Reason EstimationCycle::degradedReason() const
+// Nothing is out: no numbers, and no alarm. As an input that has stopped, an old report is none.
+const TetherEstimate& EstimationCycle::stowed(double t)
 {
-  const Reason late = watchdog_.lateReason(estimate_, vehicle_->canCoast());
-  if (late != Reason::NONE)
-    return late;
-  const Reason range = modelRange(simulation_.cable, estimate_);
-  if (range != Reason::NONE)
-    return range;
+  estimate_.payout_age = t - *stowed_at_;
+  phase_ = Phase::WAITING;
+  forgetStart();
+  if (estimate_.payout_age > config_.invalid_timeout)
+    return refuse(t, Reason::PAYOUT_STALE);
+  refuse(t, Reason::NONE);
+  estimate_.status = Status::STOWED;
+  estimate_.is_stowed = true;
+  return estimate_;
+}
+
+// The way of a wave to the other end and back.
+double EstimationCycle::memory() const
+{
+  const double frequency = vortexShedding().fundamental_frequency;
+  return frequency > 0.0 ? std::clamp(1.0 / frequency, SHORTEST_MEMORY, LONGEST_MEMORY) : LONGEST_MEMORY;
+}
+
+ReasonSet EstimationCycle::degradedReasons() const
+{
+  ReasonSet reasons = watchdog_.lateReasons(estimate_, vehicle_->canCoast());
+  reasons.add(modelRange(simulation_.cable, estimate_));
+  reasons.add(vehicle_->degradedReason(estimate_));
   if (estimate_.time < settles_until_)
-    return Reason::SETTLING;
-  const Reason doubtful = vehicle_->degradedReason(estimate_);
-  if (doubtful != Reason::NONE)
-    return doubtful;
-  return watchdog_.hasRejectedInput(estimate_.time) ? Reason::REJECTED_INPUT : Reason::NONE;
+    reasons.add(Reason::SETTLING);
+  if (findings_.record().hasAny(estimate_.time, memory()))
+    reasons.add(Reason::IMPLAUSIBLE);
+  if (watchdog_.hasRejectedInput(estimate_.time))
+    reasons.add(Reason::REJECTED_INPUT);
+  return reasons;
 }
 
 const TetherEstimate& EstimationCycle::publish(const EndTargets& ends)
@@ -342,7 +388,10 @@ const TetherEstimate& EstimationCycle::publish(const EndTargets& ends)
     invalidate(worthless, estimate_);
     return estimate_;
   }
-  estimate_.reason = degradedReason();
+  findings_.checkWorld(simulation_.model.environment(), estimate_);
+  estimate_.is_stowed = false;
+  estimate_.reasons = degradedReasons();
+  estimate_.reason = estimate_.reasons.gravest();
   estimate_.status = estimate_.reason == Reason::NONE ? Status::OK : Status::DEGRADED;
   return estimate_;
 }

@@ -18,7 +18,9 @@ MeasuredVector FilteredVesselEnd::attachmentPosition(const PoseMeasurement& pose
 {
   const core::Vector3 lever = orientationOf(&pose).normalized() * body_.attachment;
   const MeasuredVector position = pose.position.at(pose.position.value() + lever);
-  return body_.position_stddev ? position.withDefaultStddev(*body_.position_stddev) : position;
+  const MeasuredVector specified =
+      body_.position_stddev ? position.withDefaultStddev(*body_.position_stddev) : position;
+  return specified.withLeastStddev(body_.least_stddev);
 }
 
 MeasuredVector FilteredVesselEnd::attachmentVelocity(const TwistMeasurement& twist,

@@ -6,24 +6,28 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-Reason late(const TetherEstimate& ages, bool coasting, double timeout)
+ReasonSet late(const TetherEstimate& ages, bool coasting, double timeout)
 {
+  ReasonSet reasons;
   if (ages.vessel_age > timeout)
-    return Reason::VESSEL_STALE;
+    reasons.add(Reason::VESSEL_STALE);
   if (ages.vehicle_overdue > timeout && !coasting)
-    return Reason::VEHICLE_STALE;
-  return ages.payout_age > timeout ? Reason::PAYOUT_STALE : Reason::NONE;
+    reasons.add(Reason::VEHICLE_STALE);
+  if (ages.payout_age > timeout)
+    reasons.add(Reason::PAYOUT_STALE);
+  return reasons;
 }
 }  // namespace
 
-Reason InputWatchdog::invalidReason(const TetherEstimate& ages, bool coasting) const
+ReasonSet InputWatchdog::invalidReasons(const TetherEstimate& ages, bool coasting) const
 {
+  ReasonSet reasons = late(ages, coasting, invalid_timeout_);
   if (!std::isfinite(ages.vessel_age) || !std::isfinite(ages.vehicle_age))
-    return Reason::NO_INPUT;
-  return late(ages, coasting, invalid_timeout_);
+    reasons.add(Reason::NO_INPUT);
+  return reasons;
 }
 
-Reason InputWatchdog::lateReason(const TetherEstimate& ages, bool coasting) const
+ReasonSet InputWatchdog::lateReasons(const TetherEstimate& ages, bool coasting) const
 {
   return late(ages, coasting, pose_timeout_);
 }

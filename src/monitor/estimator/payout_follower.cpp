@@ -15,8 +15,15 @@ PayoutFollower::PayoutFollower(const Config& config)
 
 bool PayoutFollower::add(double t, double length, double rate, bool can_deploy)
 {
-  return can_deploy && length <= capacity_ && !(std::abs(rate) > PayoutBuffer::FASTEST) &&
-         buffer_.add(t, length, rate);
+  using Verdict = PayoutPlausibility::Verdict;
+  if (!can_deploy || length > capacity_ || std::abs(rate) > PayoutBuffer::FASTEST || !buffer_.isLater(t))
+    return false;
+  const Verdict verdict = plausibility_.check(t, length, rate);
+  if (verdict == Verdict::DOUBTFUL)
+    return false;
+  if (verdict == Verdict::REACQUIRED)
+    buffer_.clear();
+  return buffer_.add(t, length, plausibility_.trustsRate() ? rate : std::numeric_limits<double>::quiet_NaN());
 }
 
 double PayoutFollower::age(double t) const

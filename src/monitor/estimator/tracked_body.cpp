@@ -27,17 +27,45 @@ Rejection TrackedBody::add(const PoseMeasurement* pose, const TwistMeasurement* 
   const Rejection rejection = check(pose, twist);
   if (rejection != Rejection::NONE)
     return rejection;
-  if (pose)
-    track_.addPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+  if (pose && !addPose(*pose))
+    return Rejection::IMPLAUSIBLE;
   if (twist && twist->velocity.isComplete())
-    track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
+    addTwist(*twist);
   return Rejection::NONE;
+}
+
+bool TrackedBody::addPose(const PoseMeasurement& pose)
+{
+  using Verdict = MotionPlausibility::Verdict;
+  const Verdict verdict = plausibility_.check(pose.t, pose.position.value(), track_);
+  if (verdict == Verdict::DOUBTFUL)
+    return false;
+  const Eigen::Quaterniond orientation = pose.orientation.value_or(track_.lastOrientation());
+  if (verdict == Verdict::REACQUIRED)
+  {
+    track_.clear();
+    blender_.reset();
+    has_leapt_ = true;
+  }
+  track_.addPose(pose.t, pose.position.value(), orientation);
+  return true;
+}
+
+void TrackedBody::addTwist(const TwistMeasurement& twist)
+{
+  plausibility_.compareVelocity(twist.t, twist.velocity.value(), track_.lastOrientation(), track_);
+  if (plausibility_.trustsVelocity())
+    track_.addTwist(twist.t, twist.velocity.value(), twist.angular_velocity);
+  else
+    track_.clearRates();
 }
 
 void TrackedBody::clear()
 {
   track_.clear();
   blender_.reset();
+  plausibility_.clear();
+  has_leapt_ = false;
 }
 
 core::Vector3 TrackedBody::clampDirection(double t) const

@@ -7,6 +7,7 @@ void TrackedVesselEnd::aim(double t, EndTargets& targets)
   targets.vessel = body_.attachmentMotion(t);
   targets.clamps.vessel = body_.clampDirection(t);
   targets.vessel_age = age(t);
+  targets.vessel_stddev.setConstant(body_.plausibility().measuredScatter());
 }
 
 }  // namespace tether_monitor::monitor

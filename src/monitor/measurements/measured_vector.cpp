@@ -1,6 +1,7 @@
 #include "tether_monitor/monitor/measurements/measured_vector.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace tether_monitor::monitor
@@ -66,6 +67,16 @@ MeasuredVector MeasuredVector::withDefaultStddev(double stddev) const
       specified.covariance_(axis, axis) = stddev * stddev;
     }
   return specified;
+}
+
+// Variance is added along the axis: what is correlated stays a covariance.
+MeasuredVector MeasuredVector::withLeastStddev(double least) const
+{
+  MeasuredVector floored = *this;
+  for (int axis = 0; axis < 3; ++axis)
+    if (accuracy_[axis] == Accuracy::SPECIFIED)
+      floored.covariance_(axis, axis) = std::max(covariance_(axis, axis), least * least);
+  return floored;
 }
 
 }  // namespace tether_monitor::monitor

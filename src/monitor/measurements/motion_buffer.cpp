@@ -11,11 +11,14 @@ namespace
 constexpr double RATES_REACH = 0.5;  // [s] over which a measured rate may stand for another time
 constexpr double UNIT_TOLERANCE = 0.01;
 
-// Keeps a full buffer from growing: the older half goes.
+// Keeps a full buffer from growing: what comes too fast takes the place of the last, else the older half goes.
 template <typename T>
 void makeRoom(std::vector<T>& buffer)
 {
-  if (buffer.size() == MotionBuffer::CAPACITY)
+  const std::size_t n = buffer.size();
+  if (n >= 2 && buffer[n - 1].t - buffer[n - 2].t < MotionBuffer::SPACING)
+    buffer.pop_back();
+  else if (n == MotionBuffer::CAPACITY)
     buffer.erase(buffer.begin(), buffer.begin() + MotionBuffer::CAPACITY / 2);
 }
 

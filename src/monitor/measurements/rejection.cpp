@@ -22,6 +22,8 @@ const char* describe(Rejection rejection)
       return "its covariance says that the position was not measured";
     case Rejection::FROZEN:
       return "the position repeats to the last digit: a frozen sensor";
+    case Rejection::IMPLAUSIBLE:
+      return "the position is farther from the last ones than a body can have gone";
   }
   return "unknown";
 }

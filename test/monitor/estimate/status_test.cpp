@@ -28,25 +28,43 @@ std::map<int, std::string> constants(const std::string& prefix)
 TEST(Status, NumbersAndWordsAreThoseOfTheMessage)
 {
   const std::map<int, std::string> known = constants("STATUS");
-  ASSERT_EQ(known.size(), 3u);
+  ASSERT_EQ(known.size(), 4u);
   for (const auto& [number, word] : known)
     EXPECT_EQ(describe(static_cast<Status>(number)), word);
-  EXPECT_STREQ(describe(static_cast<Status>(3)), "UNKNOWN");
+  EXPECT_STREQ(describe(static_cast<Status>(4)), "UNKNOWN");
 }
 
 TEST(Reason, NumbersAndWordsAreThoseOfTheMessage)
 {
   const std::map<int, std::string> known = constants("REASON");
-  ASSERT_EQ(known.size(), static_cast<std::size_t>(Reason::UNCERTAIN) + 1);
+  ASSERT_EQ(known.size(), static_cast<std::size_t>(Reason::COUNT));
   for (const auto& [number, word] : known)
     EXPECT_EQ(describe(static_cast<Reason>(number)), word);
-  EXPECT_STREQ(describe(static_cast<Reason>(13)), "UNKNOWN");
+  EXPECT_STREQ(describe(Reason::COUNT), "UNKNOWN");
+}
+
+TEST(ReasonSet, NamesTheGravestOfAll)
+{
+  ReasonSet reasons;
+  EXPECT_EQ(reasons.gravest(), Reason::NONE);
+  reasons.add(Reason::NONE);
+  EXPECT_TRUE(reasons.isEmpty());
+  // Every reason is in the order: alone, it is the gravest.
+  for (int number = 1; number < static_cast<int>(Reason::COUNT); ++number)
+  {
+    ReasonSet one;
+    one.add(static_cast<Reason>(number));
+    EXPECT_EQ(one.gravest(), static_cast<Reason>(number));
+    EXPECT_EQ(one.bits(), 1u << number);
+    reasons.add(static_cast<Reason>(number));
+  }
+  EXPECT_EQ(reasons.gravest(), Reason::CLOCK_JUMP);
 }
 
 TEST(Reason, EachHasAdviceOfItsOwn)
 {
   std::map<std::string, int> told;
-  for (int number = 1; number <= static_cast<int>(Reason::UNCERTAIN); ++number)
+  for (int number = 1; number < static_cast<int>(Reason::COUNT); ++number)
   {
     const std::string sentence = advice(static_cast<Reason>(number));
     ASSERT_FALSE(sentence.empty()) << number;

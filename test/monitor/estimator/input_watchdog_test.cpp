@@ -20,13 +20,17 @@ TetherEstimate ages(double vessel, double vehicle, double payout)
 TEST(InputWatchdog, NamesTheInputThatIsLate)
 {
   const InputWatchdog watchdog(testConfig());
-  EXPECT_EQ(watchdog.lateReason(ages(1.0, 1.0, 1.0), false), Reason::NONE) << "at the timeout";
-  EXPECT_EQ(watchdog.lateReason(ages(1.1, 2.0, 2.0), false), Reason::VESSEL_STALE);
-  EXPECT_EQ(watchdog.lateReason(ages(0.0, 1.1, 2.0), false), Reason::VEHICLE_STALE);
-  EXPECT_EQ(watchdog.lateReason(ages(0.0, 1.1, 2.0), true), Reason::PAYOUT_STALE) << "the vehicle coasts";
-  EXPECT_EQ(watchdog.invalidReason(ages(5.1, 0.0, NAN), false), Reason::VESSEL_STALE);
-  EXPECT_EQ(watchdog.invalidReason(ages(INFINITY, 9.0, NAN), false), Reason::NO_INPUT);
-  EXPECT_EQ(watchdog.invalidReason(ages(0.0, 0.0, NAN), false), Reason::NONE) << "no winch reports";
+  EXPECT_EQ(watchdog.lateReasons(ages(1.0, 1.0, 1.0), false).gravest(), Reason::NONE) << "at the timeout";
+  EXPECT_EQ(watchdog.lateReasons(ages(1.1, 2.0, 2.0), false).gravest(), Reason::VESSEL_STALE);
+  EXPECT_EQ(watchdog.lateReasons(ages(0.0, 1.1, 2.0), false).gravest(), Reason::VEHICLE_STALE);
+  EXPECT_EQ(watchdog.lateReasons(ages(0.0, 1.1, 2.0), true).gravest(), Reason::PAYOUT_STALE)
+      << "the vehicle coasts";
+  EXPECT_EQ(watchdog.invalidReasons(ages(5.1, 0.0, NAN), false).gravest(), Reason::VESSEL_STALE);
+  EXPECT_EQ(watchdog.invalidReasons(ages(INFINITY, 9.0, NAN), false).gravest(), Reason::NO_INPUT);
+  EXPECT_EQ(watchdog.invalidReasons(ages(0.0, 0.0, NAN), false).gravest(), Reason::NONE) << "no winch reports";
+  const ReasonSet all = watchdog.lateReasons(ages(2.0, 2.0, 2.0), false);
+  EXPECT_TRUE(all.has(Reason::VESSEL_STALE) && all.has(Reason::VEHICLE_STALE) && all.has(Reason::PAYOUT_STALE));
+  EXPECT_EQ(all.bits(), (1u << 3) | (1u << 4) | (1u << 5));
 }
 
 TEST(InputWatchdog, RemembersARefusalForAWhile)

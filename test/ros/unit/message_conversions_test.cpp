@@ -48,7 +48,7 @@ TEST(VehicleMessage, CarriesTheWholeCovarianceInItsAxes)
   e.vehicle_position_stddev = 1.0;
   e.vehicle_position_covariance << 4.0, 1.0, 0.5, 1.0, 2.0, 0.3, 0.5, 0.3, 3.0;
   e.vehicle_velocity_covariance = core::Vector3(0.01, 0.04, 0.09).asDiagonal();
-  const nav_msgs::Odometry message = vehicleMessage(std_msgs::Header(), "base_link", e);
+  const nav_msgs::Odometry message = vehicleMessage(std_msgs::Header(), monitor::BodyConfig(), e);
   EXPECT_EQ(block(message.pose.covariance, 0), e.vehicle_position_covariance) << "axes of the world";
   EXPECT_NEAR(message.twist.covariance[0], 0.04, 1e-12) << "axes of the body";
   EXPECT_NEAR(message.twist.covariance[7], 0.01, 1e-12);

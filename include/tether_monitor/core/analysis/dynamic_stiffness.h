@@ -33,7 +33,7 @@ class EndDynamicStiffnessSolver
   explicit EndDynamicStiffnessSolver(int nodes);
 
   /**
-   * @param cable  with a simulated vehicle and a held vessel end.
+   * @param cable  with a held vessel end; without a simulated vehicle `vehicle` is that of the tether alone.
    * @param sigma  Laplace variable [1/s], > 0.
    * @return       false, and `stiffness` is unusable, if the matrix is singular.
    */

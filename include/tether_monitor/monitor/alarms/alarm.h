@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,7 @@ struct AlarmDefinition
   Side side = Side::ABOVE;
   double limit = 0.0;  ///< in the unit of the value.
   AlarmTiming timing;
+  std::string unit = {};  ///< of value and limit.
 };
 
 /// One alarm: watches a value against a limit with delays, deadband, latch and acknowledgement.
@@ -53,13 +55,17 @@ class Alarm
   bool isActive() const { return state_ == AlarmState::UNACKNOWLEDGED || state_ == AlarmState::ACKNOWLEDGED; }
   double value() const { return value_; }
   double s() const { return s_; }
-  /// Time of the last change of state [s].
+  /// The worst value since it became active last, kept after its return; NaN: it never was.
+  double peak() const { return peak_; }
+  /// When it became active last [s]; NaN: it never was.
+  double onset() const { return onset_; }
+  /// Time of the last change of state [s]; NaN: it never changed.
   double since() const { return since_; }
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(state_, value_, s_, since_, pending_since_);
+    a(state_, value_, s_, since_, peak_, onset_, pending_since_);
   }
 
  private:
@@ -69,7 +75,9 @@ class Alarm
   AlarmState state_ = AlarmState::NORMAL;
   double value_ = 0.0;
   double s_ = 0.0;
-  double since_ = 0.0;
+  double since_ = std::numeric_limits<double>::quiet_NaN();
+  double peak_ = std::numeric_limits<double>::quiet_NaN();
+  double onset_ = std::numeric_limits<double>::quiet_NaN();
   std::optional<double> pending_since_;  // start of the delay that is running
 };
 

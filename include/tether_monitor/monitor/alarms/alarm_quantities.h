@@ -38,8 +38,9 @@ struct AlarmQuantity
 /// All of them, in the order in which alarms are published. over_tension comes first.
 const std::vector<AlarmQuantity>& alarmQuantities();
 
-/// Name of the quantity behind the over-tension flag.
+/// Names of the quantities behind the over-tension flag.
 extern const char* const OVER_TENSION;
+extern const char* const BREAKING;
 
 /// Setpoints of a quantity: those of the configuration, else the defaults, with the derived limit in place.
 AlarmConfig alarmConfig(const Config& config, const AlarmQuantity& quantity);

@@ -20,7 +20,7 @@ class AlarmSet
   void resetTimers();
 
   const std::vector<Alarm>& alarms() const { return alarms_; }
-  /// The over-tension limit alarm is active or latched.
+  /// The limit alarm of over_tension or of breaking is active or latched.
   bool overTension() const;
 
   /// States only: the definitions are the configuration's.

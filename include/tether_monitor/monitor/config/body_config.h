@@ -8,15 +8,38 @@
 
 namespace tether_monitor::monitor
 {
-/// How one end of the tether is fastened to its body.
+/// In which axes the twist of a body comes in an Odometry, or in a message in the body's frame.
+enum class TwistFrame
+{
+  CHILD,  ///< those of the body, as ROS has it.
+  WORLD   ///< those of the pose's frame.
+};
+
+/// Axes of a body in its messages.
+enum class BodyAxes
+{
+  FLU,  ///< x forward, y left, z up.
+  FRD   ///< x forward, y right, z down.
+};
+
+/// A vector in the other axes of the two: half a turn about x.
+inline core::Vector3 turnedAboutX(const core::Vector3& v)
+{
+  return {v.x(), -v.y(), -v.z()};
+}
+
+/// How one end of the tether is fastened to its body, and what its messages mean.
 struct BodyConfig
 {
   core::Vector3 attachment = core::Vector3::Zero();  ///< from the reference point, body axes [m].
   std::optional<core::Vector3> clamped;   ///< direction in which the tether leaves it, body axes; none: hinged.
   std::string frame = "base_link";        ///< frame_id by which a twist in body axes is known.
   std::optional<double> position_stddev;  ///< of the vessel in mode observed, without covariance in the message
-                                          ///< [m]; none: estimated from the data.
+                                          ///< [m]; none: estimated from the data. Of a tracked vehicle: for bands.
   std::optional<double> velocity_stddev;  ///< the same of its velocity [m/s].
+  double least_stddev = 0.005;            ///< no source of positions is believed to be better [m], > 0.
+  TwistFrame twist_frame = TwistFrame::CHILD;
+  BodyAxes body_axes = BodyAxes::FLU;  ///< in which its messages are; everything here is in FLU.
 };
 
 /// Direction in which the tether leaves a body of this orientation, world axes; zero: it is hinged.

@@ -16,9 +16,11 @@ struct TetherEstimate
 
   double time = 0.0;  ///< [s] of the input clock.
   Status status = Status::INVALID;
-  Reason reason = Reason::NO_INPUT;
-  core::StationProfile stations;  ///< positions in the world frame; see has_stations.
-  bool has_stations = false;      ///< false while INVALID.
+  Reason reason = Reason::NO_INPUT;  ///< the gravest.
+  ReasonSet reasons;                 ///< all that hold.
+  bool is_stowed = false;            ///< the winch reports that nothing is out.
+  core::StationProfile stations;     ///< positions in the world frame; see has_stations.
+  bool has_stations = false;         ///< false while INVALID.
 
   double length = NONE;                   ///< unstretched, deployed [m].
   double payout_rate = NONE;              ///< [m/s]; NaN when it is not reported.
@@ -59,13 +61,13 @@ struct TetherEstimate
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(time, status, reason, stations, has_stations, length, payout_rate, max_tension, max_tension_s, min_tension,
-      min_tension_s, vessel_tension, vehicle_tension, working_utilisation, working_utilisation_s,
-      breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius, governing_bend_radius_s,
-      vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact, vehicle, has_vehicle,
-      vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev, vehicle_position_covariance,
-      vehicle_velocity_covariance, disturbance, disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue,
-      payout_age);
+    a(time, status, reason, reasons, is_stowed, stations, has_stations, length, payout_rate, max_tension,
+      max_tension_s, min_tension, min_tension_s, vessel_tension, vehicle_tension, working_utilisation,
+      working_utilisation_s, breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius,
+      governing_bend_radius_s, vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact,
+      vehicle, has_vehicle, vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev,
+      vehicle_position_covariance, vehicle_velocity_covariance, disturbance, disturbance_stddev, vessel_age,
+      vehicle_age, vehicle_overdue, payout_age);
   }
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/monitor/estimator/cloned_pointer.h"
+#include "tether_monitor/monitor/estimator/input_findings.h"
 #include "tether_monitor/monitor/estimator/input_watchdog.h"
 #include "tether_monitor/monitor/estimator/obstacle_tracker.h"
 #include "tether_monitor/monitor/estimator/payout_follower.h"
@@ -62,13 +64,17 @@ class EstimationCycle
   Phase phase() const { return phase_; }
   bool isRunning() const { return phase_ == Phase::RUNNING; }
   const CableSimulation& simulation() const { return simulation_; }
+  const InputFindings& findings() const { return findings_; }
+  InputFindings& findings() { return findings_; }
+  /// How long what an input has done stays in the tether [s].
+  double memory() const;
   const core::VortexShedding& vortexShedding() const { return vortex_shedding_.last(); }
 
   template <class Archive>
   void serialize(Archive& a)
   {
     a(phase_, retry_start_at_, settles_until_, simulation_.state, simulation_.count, simulation_.last_solve,
-      vessel_, vehicle_, payout_, obstacles_, watchdog_, vortex_shedding_, estimate_);
+      vessel_, vehicle_, payout_, obstacles_, watchdog_, findings_, stowed_at_, vortex_shedding_, estimate_);
   }
 
  private:
@@ -86,7 +92,8 @@ class EstimationCycle
   core::SolveReport step(double t, const EndTargets& ends);
   const TetherEstimate& publish(const EndTargets& ends);
   const TetherEstimate& refuse(double t, Reason reason);
-  Reason degradedReason() const;
+  ReasonSet degradedReasons() const;
+  const TetherEstimate& stowed(double t);
 
   Config config_;
   CableSimulation simulation_;
@@ -102,6 +109,8 @@ class EstimationCycle
   bool catches_up_ = false;      // a start has been found for a time that has passed
   double retry_start_at_ = 0.0;  // [s]
   double settles_until_ = 0.0;   // [s]; the tether was not at rest where it started
+  InputFindings findings_;
+  std::optional<double> stowed_at_;  // [s] of the last report that nothing is out
   TetherEstimate estimate_;
 };
 

@@ -20,11 +20,11 @@ class InputWatchdog
   void noteRejectedInput(double t) { rejected_at_ = t; }
   void clear() { rejected_at_ = -std::numeric_limits<double>::infinity(); }
 
-  /// What makes an estimate with these ages impossible; NONE if nothing does. @param coasting  the vehicle's may
+  /// What makes an estimate with these ages impossible; empty if nothing does. @param coasting  the vehicle's may
   /// be late.
-  Reason invalidReason(const TetherEstimate& ages, bool coasting) const;
+  ReasonSet invalidReasons(const TetherEstimate& ages, bool coasting) const;
   /// What makes it doubtful because an input is late.
-  Reason lateReason(const TetherEstimate& ages, bool coasting) const;
+  ReasonSet lateReasons(const TetherEstimate& ages, bool coasting) const;
   /// True for a pose_timeout after a refusal.
   bool hasRejectedInput(double t) const;
 

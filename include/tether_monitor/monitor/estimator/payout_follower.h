@@ -6,6 +6,7 @@
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/monitor/estimator/end_targets.h"
 #include "tether_monitor/monitor/measurements/payout_buffer.h"
+#include "tether_monitor/monitor/measurements/payout_plausibility.h"
 #include "tether_monitor/monitor/model/cable_simulation.h"
 
 namespace tether_monitor::monitor
@@ -17,9 +18,15 @@ class PayoutFollower
   explicit PayoutFollower(const Config& config);
 
   /// Accepts a report. @param can_deploy  the tether can be meshed with this length.
-  /// @return false, and nothing changes, if the winch or the clock cannot have made it.
+  /// @return false, and it is not used, if the winch or the clock cannot have made it. A rate that contradicts the
+  /// lengths is left out.
   bool add(double t, double length, double rate, bool can_deploy);
-  void clear() { buffer_.clear(); }
+  void clear()
+  {
+    buffer_.clear();
+    plausibility_.clear();
+  }
+  const PayoutPlausibility& plausibility() const { return plausibility_; }
   /// Age of the last report at time t [s]; NaN if nothing reports.
   double age(double t) const;
   /// Length and rate at time t [s], if reported. Calls in order of t.
@@ -39,12 +46,13 @@ class PayoutFollower
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(buffer_, rate_);
+    a(buffer_, rate_, plausibility_);
   }
 
  private:
   double capacity_;  // of the winch [m]; infinite without one
   PayoutBuffer buffer_;
+  PayoutPlausibility plausibility_;
   double rate_ = 0.0;
 };
 

@@ -40,6 +40,11 @@ class TetherEstimator
   }
   /// How the vessel moves before anything has measured its velocity; for mode observed.
   void setInitialVesselMotion(double t, const BodyState& vessel) { cycle_.vessel().setInitialMotion(t, vessel); }
+  /// Something unbelievable that was seen of an input at time t [s], beside what is found here.
+  void noteImplausible(Subject subject, Implausibility what, double t)
+  {
+    cycle_.findings().note(subject, what, t);
+  }
   /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
   void noteRejectedInput(double t) { cycle_.watchdog().noteRejectedInput(t); }
   /// Replaces the current profile, from the next step on.
@@ -109,6 +114,10 @@ class TetherEstimator
   const CableSimulation& simulation() const { return cycle_.simulation(); }
   const VesselEnd& vessel() const { return cycle_.vessel(); }
   const VehicleEnd& vehicle() const { return cycle_.vehicle(); }
+  /// What was found unbelievable of the inputs, and when.
+  const PlausibilityRecord& findings() const { return cycle_.findings().record(); }
+  /// How long such a thing stays in the tether [s].
+  double memory() const { return cycle_.memory(); }
   const core::VortexShedding& vortexShedding() const { return cycle_.vortexShedding(); }
 
   /// Everything that changes while it works, as bytes: see binary_archive.h. Inputs and estimate included.

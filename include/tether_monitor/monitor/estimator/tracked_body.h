@@ -1,9 +1,12 @@
 #pragma once
 
+#include <utility>
+
 #include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/measurements/correction_blender.h"
 #include "tether_monitor/monitor/measurements/measurements.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/measurements/motion_plausibility.h"
 
 namespace tether_monitor::monitor
 {
@@ -15,7 +18,8 @@ class TrackedBody
   TrackedBody(const BodyConfig& body, double longest_interval);
 
   /// Accepts what one message measured, all of it or nothing: a position must be complete; a velocity that is not
-  /// is left out. @param pose,twist  null: none.
+  /// is left out, and so is one that contradicts the positions. A position that no body gets to is refused until
+  /// others confirm it. @param pose,twist  null: none.
   Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist);
   void clear();
   /// The end of the tether at time t [s], continuous from call to call. Calls in order of t.
@@ -23,20 +27,27 @@ class TrackedBody
   /// Direction of a clamp at time t [s] in world axes; zero: there is none.
   core::Vector3 clampDirection(double t) const;
   const MotionBuffer& track() const { return track_; }
+  const MotionPlausibility& plausibility() const { return plausibility_; }
+  /// True once after the body was found elsewhere: its motion begins anew.
+  bool takeLeap() { return std::exchange(has_leapt_, false); }
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(track_, blender_);
+    a(track_, blender_, plausibility_, has_leapt_);
   }
 
  private:
   Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
+  bool addPose(const PoseMeasurement& pose);
+  void addTwist(const TwistMeasurement& twist);
 
   BodyConfig body_;
   double longest_interval_;
   MotionBuffer track_;
   CorrectionBlender<core::Vector3> blender_;
+  MotionPlausibility plausibility_;
+  bool has_leapt_ = false;
 };
 
 }  // namespace tether_monitor::monitor

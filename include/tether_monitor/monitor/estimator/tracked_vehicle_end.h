@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tether_monitor/monitor/estimator/tension_band.h"
 #include "tether_monitor/monitor/estimator/tracked_body.h"
 #include "tether_monitor/monitor/estimator/vehicle_end.h"
 
@@ -9,7 +10,7 @@ namespace tether_monitor::monitor
 class TrackedVehicleEnd final : public VehicleEnd
 {
  public:
-  explicit TrackedVehicleEnd(const Config& config) : body_(config.vehicle, config.pose_timeout) {}
+  explicit TrackedVehicleEnd(const Config& config);
   std::unique_ptr<VehicleEnd> clone() const override { return std::make_unique<TrackedVehicleEnd>(*this); }
 
   Rejection add(const PoseMeasurement* pose, const TwistMeasurement* twist) override
@@ -25,13 +26,24 @@ class TrackedVehicleEnd final : public VehicleEnd
                               VehicleInitialization& start) const override;
   core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                             CableSimulation& simulation) override;
+  void begin(const VehicleInitialization& start, const EndTargets& targets, CableSimulation& simulation) override;
+  /// Writes the standard deviations of the tensions if that of the positions is configured.
+  void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;
+  /// UNCERTAIN where the positions scatter too much for a tether as taut as this.
+  Reason degradedReason(const TetherEstimate& estimate) const override;
   const MotionBuffer& track() const override { return body_.track(); }
+  const MotionPlausibility* plausibility() const override { return &body_.plausibility(); }
+  bool takeLeap() override { return body_.takeLeap(); }
   bool isValid(const core::CableModel& /*model*/) const override { return track().isValid(); }
-  void write(core::BinaryWriter& archive) const override { archive(body_); }
-  void read(core::BinaryReader& archive) override { archive(body_); }
+  void write(core::BinaryWriter& archive) const override { archive(body_, band_); }
+  void read(core::BinaryReader& archive) override { archive(body_, band_); }
+  void prepare(const core::CableModel& model) override { band_.begin(model); }
 
  private:
   TrackedBody body_;
+  std::optional<double> position_stddev_;  // configured [m]
+  double working_load_;                    // [N]
+  TensionBand band_;
 };
 
 }  // namespace tether_monitor::monitor

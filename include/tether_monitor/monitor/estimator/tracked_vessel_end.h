@@ -22,6 +22,8 @@ class TrackedVesselEnd final : public VesselEnd
   void aim(double t, EndTargets& targets) override;
   void aimAtStart(double t, EndTargets& targets) override { aim(t, targets); }
   const MotionBuffer& track() const override { return body_.track(); }
+  const MotionPlausibility* plausibility() const override { return &body_.plausibility(); }
+  bool takeLeap() override { return body_.takeLeap(); }
   bool isValid() const override { return track().isValid(); }
   void write(core::BinaryWriter& archive) const override { archive(body_); }
   void read(core::BinaryReader& archive) override { archive(body_); }

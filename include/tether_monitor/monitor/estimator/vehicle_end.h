@@ -10,6 +10,7 @@
 #include "tether_monitor/monitor/estimator/end_targets.h"
 #include "tether_monitor/monitor/measurements/measurements.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/measurements/motion_plausibility.h"
 #include "tether_monitor/monitor/model/cable_simulation.h"
 #include "tether_monitor/monitor/vehicle/vehicle_observer.h"
 
@@ -84,6 +85,10 @@ class VehicleEnd
   /// What makes them doubtful.
   virtual Reason degradedReason(const TetherEstimate& /*estimate*/) const { return Reason::NONE; }
 
+  /// What makes its measurements unbelievable; null: nothing looks.
+  virtual const MotionPlausibility* plausibility() const { return nullptr; }
+  /// True once after the vehicle was found elsewhere, and the tether is held there.
+  virtual bool takeLeap() { return false; }
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
   /// Null in all modes but observed.

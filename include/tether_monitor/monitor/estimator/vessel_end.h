@@ -7,6 +7,7 @@
 #include "tether_monitor/monitor/estimator/end_targets.h"
 #include "tether_monitor/monitor/measurements/measurements.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
+#include "tether_monitor/monitor/measurements/motion_plausibility.h"
 #include "tether_monitor/monitor/measurements/rejection.h"
 
 namespace tether_monitor::monitor
@@ -34,6 +35,11 @@ class VesselEnd
   virtual void aimAtStart(double t, EndTargets& targets) = 0;
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
+
+  /// What makes its measurements unbelievable; null: nothing looks.
+  virtual const MotionPlausibility* plausibility() const { return nullptr; }
+  /// True once after the vessel was found elsewhere.
+  virtual bool takeLeap() { return false; }
 
   /// Measurements that were too far off to be accepted.
   virtual long outliers() const { return 0; }

@@ -62,6 +62,9 @@ class MeasuredVector
   /// The same with `stddev` where the accuracy is unspecified.
   MeasuredVector withDefaultStddev(double stddev) const;
 
+  /// The same with standard deviations of `least` where they are told to be smaller.
+  MeasuredVector withLeastStddev(double least) const;
+
   template <class Archive>
   void serialize(Archive& a)
   {

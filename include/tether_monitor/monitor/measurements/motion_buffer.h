@@ -14,12 +14,15 @@ namespace tether_monitor::monitor
  *
  * Between two poses: cubic Hermite in position, slerp in orientation. Beyond the last pose: constant velocity. A
  * velocity that is not measured is the slope of a straight line through the poses of the last VELOCITY_WINDOW.
- * Holds the last CAPACITY measurements of each kind; allocates only in the constructor.
+ * Holds measurements of the last seconds of each kind, at most CAPACITY, SPACING apart but for the last, however
+ * fast they come: those that are stamped ahead leave room for those of the past. Allocates only in the
+ * constructor.
  */
 class MotionBuffer
 {
  public:
-  static constexpr std::size_t CAPACITY = 512;
+  static constexpr std::size_t CAPACITY = 1024;
+  static constexpr double SPACING = 0.004;        ///< [s]
   static constexpr double VELOCITY_WINDOW = 0.3;  ///< [s]
 
   MotionBuffer();
@@ -32,8 +35,12 @@ class MotionBuffer
   /// Accepts measured rates at time t [s], world axes.
   Rejection addTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity);
   void clear();
+  /// Forgets the rates alone.
+  void clearRates() { rates_.clear(); }
 
   bool hasPose() const { return !poses_.empty(); }
+  /// True if something measures the rates at time t [s].
+  bool hasRates(double t) const { return measuredRates(t).has_value(); }
   /// Age at time t of the last pose that is not later than t [s]; infinite without one.
   double age(double t) const;
   /// True if a pose at or after t is known, so that at(t) interpolates.

@@ -28,6 +28,8 @@ class PayoutBuffer
   bool add(double t, double length, double rate);
   void clear() { count_ = 0; }
 
+  /// True if a report at time t [s] would be later than the last.
+  bool isLater(double t) const { return count_ == 0 || t > last().t; }
   bool hasReport() const { return count_ > 0; }
   /// Age at time t of the last report that is not later [s]; infinite without one.
   double age(double t) const;

@@ -12,7 +12,8 @@ enum class Rejection
   REPEATED,        ///< there is one of that time already.
   TOO_LATE,        ///< older than what can still be put in its place.
   NOT_MEASURED,    ///< its covariance says that the position was not measured, and the mode needs it.
-  FROZEN           ///< the same to the last digit as those before: a frozen sensor.
+  FROZEN,          ///< the same to the last digit as those before: a frozen sensor.
+  IMPLAUSIBLE      ///< a position that no body gets to, until others confirm it.
 };
 
 /// True for what is good, if only for a filter that puts late measurements in their place.

@@ -6,8 +6,8 @@
 #include "tether_monitor/core/cable/end_trajectory.h"
 #include "tether_monitor/monitor/measurements/correction_blender.h"
 #include "tether_monitor/monitor/measurements/measured_vector.h"
+#include "tether_monitor/monitor/measurements/noise_estimator.h"
 #include "tether_monitor/monitor/measurements/rejection.h"
-#include "tether_monitor/monitor/vessel/noise_estimator.h"
 #include "tether_monitor/monitor/vessel/position_window.h"
 #include "tether_monitor/monitor/vessel/vessel_axis_filters.h"
 

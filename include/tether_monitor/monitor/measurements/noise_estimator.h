@@ -17,6 +17,8 @@ class DifferenceNoiseEstimator
 
   /// Accepts a value at time t [s]. Uneven spacing begins a new series.
   void add(double t, double value);
+  /// True once there were values enough.
+  bool isKnown() const { return samples_ >= ENOUGH; }
   /// Standard deviation of the noise.
   double stddev() const;
 
@@ -31,6 +33,7 @@ class DifferenceNoiseEstimator
 
  private:
   static constexpr int POINTS = 6;
+  static constexpr int ENOUGH = 4;  // differences before the answer counts
   std::array<double, POINTS> t_{}, value_{};
   int count_ = 0;    // of the series, at most POINTS
   int samples_ = 0;  // differences taken, at most MOST

@@ -1,4 +1,4 @@
-#include "tether_monitor/monitor/vessel/noise_estimator.h"
+#include "tether_monitor/monitor/measurements/noise_estimator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@ namespace
 {
 constexpr double GAIN = 252.0;  // variance of a fifth difference of white noise of variance 1
 constexpr double UNEVEN = 1.5;  // longest over shortest interval of a series
-constexpr int ENOUGH = 4;       // differences before the answer counts
 constexpr int MOST = 200;       // differences that are remembered
 constexpr double WILD = 16.0;   // a square is counted as at most so many times the usual
 }  // namespace

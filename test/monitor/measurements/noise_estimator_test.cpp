@@ -1,4 +1,4 @@
-#include "tether_monitor/monitor/vessel/noise_estimator.h"
+#include "tether_monitor/monitor/measurements/noise_estimator.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,35 @@
+#pragma once
+
+namespace tether_monitor::monitor
+{
+/// What makes an input unbelievable although each of its messages is in order.
+enum class Implausibility
+{
+  LEAP,             ///< a position that no body gets to in the time.
+  FROZEN_POSITION,  ///< a position that repeats to the last digit after it moved, or while a velocity is measured.
+  CONTRADICTORY_VELOCITY,  ///< the velocity is not that with which the positions change.
+  VELOCITY_IN_WORLD_AXES,  ///< likewise, but it is when its axes are taken for those of the world.
+  VELOCITY_IN_BODY_AXES,   ///< likewise, but it is when its axes are taken for those of the body.
+  TWO_SOURCES,             ///< several publishers on one topic.
+  VEHICLE_ABOVE_WATER,
+  VESSEL_UNDER_WATER,
+  LENGTH_LEAP,         ///< a deployed length that no winch gets to in the time.
+  FROZEN_LENGTH,       ///< a length that repeats while a rate is reported.
+  CONTRADICTORY_RATE,  ///< the rate is not that with which the length changes.
+  COUNT
+};
+
+/// Which input a finding is about.
+enum class Subject
+{
+  VESSEL,
+  VEHICLE,
+  WINCH,
+  COUNT
+};
+
+/// What was found, and what to look at, in a sentence.
+const char* describe(Implausibility what);
+const char* describe(Subject subject);
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,57 @@
+#include "tether_monitor/monitor/measurements/implausibility.h"
+
+namespace tether_monitor::monitor
+{
+const char* describe(Implausibility what)
+{
+  switch (what)
+  {
+    case Implausibility::LEAP:
+      return "its position leapt farther than it can have gone: look at its positioning, and whether another body "
+             "is "
+             "published on its topic";
+    case Implausibility::FROZEN_POSITION:
+      return "its position repeats to the last digit although it was moving: the sensor or its driver has stopped";
+    case Implausibility::CONTRADICTORY_VELOCITY:
+      return "its velocity is not that with which its position changes: look at both sensors and their clocks";
+    case Implausibility::VELOCITY_IN_WORLD_AXES:
+      return "its velocity fits its positions only in the axes of the world: set its twist_frame to world";
+    case Implausibility::VELOCITY_IN_BODY_AXES:
+      return "its velocity fits its positions only in the axes of the body: set its twist_frame to child";
+    case Implausibility::TWO_SOURCES:
+      return "more than one node publishes on its topic: stop all but one";
+    case Implausibility::VEHICLE_ABOVE_WATER:
+      return "the vehicle is above the water: look at the sign of its depth (z is up, 0 at the surface) and at "
+             "world_frame";
+    case Implausibility::VESSEL_UNDER_WATER:
+      return "the vessel's end is deep under water: look at the sign of z (z is up, 0 at the surface) and at "
+             "world_frame";
+    case Implausibility::LENGTH_LEAP:
+      return "the deployed length leapt farther than a winch can turn: look at its counter";
+    case Implausibility::FROZEN_LENGTH:
+      return "the deployed length stays while a rate is reported: its counter has stopped, or the rate is wrong";
+    case Implausibility::CONTRADICTORY_RATE:
+      return "the rate of pay-out is not that with which the length changes (> 0 pays out): it is not used";
+    case Implausibility::COUNT:
+      break;
+  }
+  return "";
+}
+
+const char* describe(Subject subject)
+{
+  switch (subject)
+  {
+    case Subject::VESSEL:
+      return "vessel";
+    case Subject::VEHICLE:
+      return "vehicle";
+    case Subject::WINCH:
+      return "winch";
+    case Subject::COUNT:
+      break;
+  }
+  return "";
+}
+
+}  // namespace tether_monitor::monitor

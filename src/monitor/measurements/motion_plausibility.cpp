@@ -1,0 +1,137 @@
+#include "tether_monitor/monitor/measurements/motion_plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double LEAST_LEAP = 0.02;         // [m]
+constexpr double SCATTERS = 8.0;            // standard deviations of the scatter that a position may be off
+constexpr double ACCELERATION = 6.0;        // of a vessel's side in a seaway, of a vehicle [m/s^2]
+constexpr double FASTEST = 20.0;            // of a body whose velocity is not known yet [m/s]
+constexpr double LONGEST_PREDICTION = 5.0;  // [s]; beyond, a body may be anywhere
+constexpr int LEAPS_BELIEVED = 4;           // so many in a row in one place are the truth
+constexpr double SLOWEST_MOTION = 0.05;     // [m/s]
+constexpr double LONGEST_REPEAT = 0.3;      // [s]
+constexpr double WINDOW = 0.8;              // [s] over which a velocity is held against the positions
+constexpr double LONGEST_STEP = 0.5;        // [s] between velocities
+constexpr double VELOCITY_SHARE = 0.1, VELOCITY_OFF = 0.1;  // of the way, [m/s]: a velocity may be off
+constexpr double FITS = 0.5;  // of the way: so much nearer are other axes, if it is them
+}  // namespace
+
+double MotionPlausibility::scatter() const
+{
+  return std::max({noise_[0].stddev(), noise_[1].stddev(), noise_[2].stddev()});
+}
+
+double MotionPlausibility::tolerance(double dt, const MotionBuffer& track, double t) const
+{
+  const double lag =
+      track.hasRates(t) ? 0.5 * dt : 0.5 * (dt + MotionBuffer::VELOCITY_WINDOW + track.poseInterval(t));
+  const double unknown = track.hasRates(t) || track.poseInterval(t) > 0.0 ? 0.0 : FASTEST;
+  return LEAST_LEAP + SCATTERS * scatter() + (ACCELERATION * lag + unknown) * dt;
+}
+
+void MotionPlausibility::watchRepeats(double t, const core::Vector3& position, const MotionBuffer& track)
+{
+  const BodyState before = track.at(track.lastPoseTime());
+  if (position != before.position)
+  {
+    repeated_since_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  if (!(repeated_since_ <= t))
+  {
+    repeated_since_ = track.lastPoseTime();
+    speed_before_ = before.velocity.norm();
+  }
+  const bool was_moving = std::max(speed_before_, before.velocity.norm()) > SLOWEST_MOTION;
+  if (was_moving && t - repeated_since_ > LONGEST_REPEAT)
+    note(Implausibility::FROZEN_POSITION, t);
+}
+
+MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vector3& position,
+                                                      const MotionBuffer& track)
+{
+  const double dt = track.hasPose() ? t - track.lastPoseTime() : LONGEST_PREDICTION;
+  Verdict verdict = Verdict::GOOD;
+  if (dt < LONGEST_PREDICTION)
+  {
+    watchRepeats(t, position, track);
+    const double off = (position - track.at(t).position).norm(), most = tolerance(dt, track, t);
+    if (off > most)
+    {
+      const bool goes_on =
+          leap_count_ > 0 && (position - leap_position_).norm() < most + FASTEST * (t - leap_time_);
+      leap_count_ = goes_on ? leap_count_ + 1 : 1;
+      leap_time_ = t;
+      leap_position_ = position;
+      note(Implausibility::LEAP, t);
+      verdict = leap_count_ < LEAPS_BELIEVED ? Verdict::DOUBTFUL : Verdict::REACQUIRED;
+    }
+  }
+  if (verdict == Verdict::DOUBTFUL)
+    return verdict;
+  leap_count_ = 0;
+  if (verdict == Verdict::REACQUIRED)
+    window_.is_open = false;
+  for (int i = 0; i < 3; ++i)
+    noise_[i].add(t, position[i]);
+  return verdict;
+}
+
+void MotionPlausibility::compareVelocity(double t, const core::Vector3& velocity,
+                                         const Eigen::Quaterniond& orientation, const MotionBuffer& track)
+{
+  if (!track.hasPose())
+    return;
+  const core::Vector3 here = track.at(t).position;
+  if (!window_.is_open || !(t > window_.t) || t - window_.t > LONGEST_STEP)
+  {
+    window_ = Window();
+    window_.is_open = true;
+    window_.began = window_.t = t;
+    window_.from = here;
+    window_.velocity = velocity;
+    return;
+  }
+  const core::Vector3 step = 0.5 * (t - window_.t) * (window_.velocity + velocity);
+  window_.way += step;
+  window_.turned_back += orientation.conjugate() * step;
+  window_.turned_on += orientation * step;
+  window_.t = t;
+  window_.velocity = velocity;
+  if (t - window_.began < WINDOW)
+    return;
+  checkWindow(here - window_.from);
+  window_.is_open = false;
+}
+
+void MotionPlausibility::checkWindow(const core::Vector3& way)
+{
+  const double duration = window_.t - window_.began;
+  const double most = VELOCITY_OFF * duration + VELOCITY_SHARE * way.norm() + SCATTERS * scatter();
+  const double off = (way - window_.way).norm();
+  trusts_velocity_ = off <= most;
+  if (trusts_velocity_)
+    return;
+  const auto fits = [&](const core::Vector3& other) { return (way - other).norm() <= std::max(most, FITS * off); };
+  const bool back = fits(window_.turned_back), on = fits(window_.turned_on);
+  note(back && !on   ? Implausibility::VELOCITY_IN_WORLD_AXES
+       : on && !back ? Implausibility::VELOCITY_IN_BODY_AXES
+                     : Implausibility::CONTRADICTORY_VELOCITY,
+       window_.t);
+}
+
+bool MotionPlausibility::isValid() const
+{
+  bool sound = leap_position_.allFinite() && leap_count_ >= 0 && std::isfinite(leap_time_) &&
+               window_.way.allFinite() && window_.from.allFinite() && std::isfinite(window_.t);
+  for (const DifferenceNoiseEstimator& noise : noise_)
+    sound = sound && noise.isValid();
+  return sound;
+}
+
+}  // namespace tether_monitor::monitor
