@@ -68,6 +68,7 @@ set(test_files
   test/monitor/estimator/cloned_pointer_test.cpp
   test/monitor/estimator/estimator_snapshot_test.cpp
   test/monitor/estimator/free_vehicle_end_test.cpp
+  test/monitor/estimator/input_faults_test.cpp
   test/monitor/estimator/input_watchdog_test.cpp
   test/monitor/estimator/observed_vehicle_end_test.cpp
   test/monitor/estimator/observed_vehicle_faults_test.cpp
@@ -89,7 +90,9 @@ set(test_files
   test/monitor/vehicle/innovation_gate_test.cpp
   test/monitor/vehicle/measurement_timing_test.cpp
   test/monitor/vehicle/vehicle_initializer_test.cpp
+  test/monitor/measurements/motion_plausibility_test.cpp
   test/monitor/measurements/noise_estimator_test.cpp
+  test/monitor/measurements/payout_plausibility_test.cpp
   test/monitor/vessel/position_window_test.cpp
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp

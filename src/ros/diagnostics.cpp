@@ -73,7 +73,7 @@ void diagnoseReasons(const monitor::TetherEstimator& estimator, const Diagnostic
     {
       const auto what = static_cast<Implausibility>(k);
       const double age = e.time - estimator.findings().last(static_cast<Subject>(s), what);
-      if (age <= estimator.memory())
+      if (estimator.findings().holds(static_cast<Subject>(s), what, e.time, estimator.memory()))
         status.addf(std::string("Implausible: ") + describe(static_cast<Subject>(s)), "%s (%.1f s ago)",
                     describe(what), age);
     }

@@ -188,7 +188,8 @@ struct Watched
     ++states;
     longest_step = std::max(longest_step, s.step_time);
     const bool has_numbers = std::isfinite(s.vessel_tension) && std::isfinite(s.max_tension) && !s.s.empty();
-    if (has_numbers == (s.status == TetherState::STATUS_INVALID))
+    const bool should_be_empty = s.status == TetherState::STATUS_INVALID || s.status == TetherState::STATUS_STOWED;
+    if (has_numbers == should_be_empty)
       ++lies;
     state = s;
   }

@@ -364,7 +364,7 @@ ReasonSet EstimationCycle::degradedReasons() const
   reasons.add(vehicle_->degradedReason(estimate_));
   if (estimate_.time < settles_until_)
     reasons.add(Reason::SETTLING);
-  if (findings_.record().hasAny(estimate_.time, memory()))
+  if (findings_.record().holdsAny(estimate_.time, memory()))
     reasons.add(Reason::IMPLAUSIBLE);
   if (watchdog_.hasRejectedInput(estimate_.time))
     reasons.add(Reason::REJECTED_INPUT);

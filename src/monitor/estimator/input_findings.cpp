@@ -25,6 +25,7 @@ void InputFindings::collect(const VesselEnd& vessel, const VehicleEnd& vehicle, 
   ofBody(Subject::VEHICLE, vehicle.plausibility());
   const PayoutPlausibility& winch = payout.plausibility();
   update(Subject::WINCH, Implausibility::LENGTH_LEAP, winch.lastLeap(), t);
+  update(Subject::WINCH, Implausibility::OTHER_LENGTH, winch.lastOther(), t);
   update(Subject::WINCH, Implausibility::FROZEN_LENGTH, winch.lastFrozen(), t);
   update(Subject::WINCH, Implausibility::CONTRADICTORY_RATE, winch.lastContradiction(), t);
 }

@@ -10,7 +10,7 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double UNCERTAIN_SHARE = 0.1;  // of the tension
-constexpr double QUIET_SHARE = 0.005;    // of the working load: less than this is no matter
+constexpr double QUIET_SHARE = 0.02;     // of the working load: less than this is no matter
 }  // namespace
 
 TrackedVehicleEnd::TrackedVehicleEnd(const Config& config)

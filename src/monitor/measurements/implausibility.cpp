@@ -10,6 +10,9 @@ const char* describe(Implausibility what)
       return "its position leapt farther than it can have gone: look at its positioning, and whether another body "
              "is "
              "published on its topic";
+    case Implausibility::RELOCATION:
+      return "its positions leapt and went on elsewhere: one of the two places is wrong; the tether has settled "
+             "anew";
     case Implausibility::FROZEN_POSITION:
       return "its position repeats to the last digit although it was moving: the sensor or its driver has stopped";
     case Implausibility::CONTRADICTORY_VELOCITY:
@@ -28,6 +31,9 @@ const char* describe(Implausibility what)
              "world_frame";
     case Implausibility::LENGTH_LEAP:
       return "the deployed length leapt farther than a winch can turn: look at its counter";
+    case Implausibility::OTHER_LENGTH:
+      return "the deployed length leapt and went on from there: one of the two is wrong; the tether has settled "
+             "anew";
     case Implausibility::FROZEN_LENGTH:
       return "the deployed length stays while a rate is reported: its counter has stopped, or the rate is wrong";
     case Implausibility::CONTRADICTORY_RATE:

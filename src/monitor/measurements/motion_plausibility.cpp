@@ -7,18 +7,20 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double LEAST_LEAP = 0.02;         // [m]
-constexpr double SCATTERS = 8.0;            // standard deviations of the scatter that a position may be off
-constexpr double ACCELERATION = 6.0;        // of a vessel's side in a seaway, of a vehicle [m/s^2]
-constexpr double FASTEST = 20.0;            // of a body whose velocity is not known yet [m/s]
-constexpr double LONGEST_PREDICTION = 5.0;  // [s]; beyond, a body may be anywhere
-constexpr int LEAPS_BELIEVED = 4;           // so many in a row in one place are the truth
-constexpr double SLOWEST_MOTION = 0.05;     // [m/s]
-constexpr double LONGEST_REPEAT = 0.3;      // [s]
-constexpr double WINDOW = 0.8;              // [s] over which a velocity is held against the positions
-constexpr double LONGEST_STEP = 0.5;        // [s] between velocities
-constexpr double VELOCITY_SHARE = 0.1, VELOCITY_OFF = 0.1;  // of the way, [m/s]: a velocity may be off
-constexpr double FITS = 0.5;  // of the way: so much nearer are other axes, if it is them
+constexpr double UNKNOWN_SCATTER = 0.5;  // before it has been measured [m]
+constexpr double LEAST_LEAP = 0.02;      // [m]
+constexpr double SCATTERS = 8.0;         // standard deviations of the scatter that a position may be off
+constexpr double HORIZONTAL_ACCELERATION = 3.0,
+                 VERTICAL_ACCELERATION = 6.0;  // of a vessel's side in a seaway, of a vehicle [m/s^2]
+constexpr double FASTEST = 20.0;               // of a body whose velocity is not known yet [m/s]
+constexpr double LONGEST_PREDICTION = 5.0;     // [s]; beyond, a body may be anywhere
+constexpr int LEAPS_BELIEVED = 4;              // so many in a row in one place are the truth
+constexpr double SLOWEST_MOTION = 0.05;        // [m/s]
+constexpr double LONGEST_REPEAT = 0.3;         // [s]
+constexpr double WINDOW = 0.8;                 // [s] over which a velocity is held against the positions
+constexpr double LONGEST_STEP = 0.5;           // [s] between velocities
+constexpr double VELOCITY_SHARE = 0.1, VELOCITY_OFF = 0.1;  // of the displacement, [m/s]: a velocity may be off
+constexpr double FITS = 0.5;  // of the displacement: so much nearer are other axes, if it is them
 }  // namespace
 
 double MotionPlausibility::scatter() const
@@ -26,12 +28,13 @@ double MotionPlausibility::scatter() const
   return std::max({noise_[0].stddev(), noise_[1].stddev(), noise_[2].stddev()});
 }
 
-double MotionPlausibility::tolerance(double dt, const MotionBuffer& track, double t) const
+double MotionPlausibility::tolerance(double acceleration, double dt, const MotionBuffer& track, double t) const
 {
   const double lag =
       track.hasRates(t) ? 0.5 * dt : 0.5 * (dt + MotionBuffer::VELOCITY_WINDOW + track.poseInterval(t));
   const double unknown = track.hasRates(t) || track.poseInterval(t) > 0.0 ? 0.0 : FASTEST;
-  return LEAST_LEAP + SCATTERS * scatter() + (ACCELERATION * lag + unknown) * dt;
+  const double scattered = noise_[0].isKnown() ? scatter() : UNKNOWN_SCATTER;
+  return LEAST_LEAP + SCATTERS * scattered + (acceleration * lag + unknown) * dt;
 }
 
 void MotionPlausibility::watchRepeats(double t, const core::Vector3& position, const MotionBuffer& track)
@@ -60,11 +63,18 @@ MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vect
   if (dt < LONGEST_PREDICTION)
   {
     watchRepeats(t, position, track);
-    const double off = (position - track.at(t).position).norm(), most = tolerance(dt, track, t);
-    if (off > most)
+    const BodyState expected = track.at(t);
+    const core::Vector3 off = position - expected.position;
+    // Nearer to where it leapt than to where it was: a leap goes on, however much may have happened since it
+    // began.
+    const core::Vector3 from_leap = position - leap_position_ - (t - leap_time_) * expected.velocity;
+    const bool stays_there = leap_count_ > 0 && from_leap.norm() < 0.5 * off.norm();
+    const double most = tolerance(HORIZONTAL_ACCELERATION, dt, track, t);
+    if (stays_there || off.head<2>().norm() > most ||
+        std::abs(off.z()) > tolerance(VERTICAL_ACCELERATION, dt, track, t))
     {
-      const bool goes_on =
-          leap_count_ > 0 && (position - leap_position_).norm() < most + FASTEST * (t - leap_time_);
+      const bool goes_on = stays_there || (leap_count_ > 0 &&
+                                           (position - leap_position_).norm() < most + FASTEST * (t - leap_time_));
       leap_count_ = goes_on ? leap_count_ + 1 : 1;
       leap_time_ = t;
       leap_position_ = position;
@@ -76,7 +86,10 @@ MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vect
     return verdict;
   leap_count_ = 0;
   if (verdict == Verdict::REACQUIRED)
+  {
     window_.is_open = false;
+    note(Implausibility::RELOCATION, t);
+  }
   for (int i = 0; i < 3; ++i)
     noise_[i].add(t, position[i]);
   return verdict;
@@ -98,7 +111,7 @@ void MotionPlausibility::compareVelocity(double t, const core::Vector3& velocity
     return;
   }
   const core::Vector3 step = 0.5 * (t - window_.t) * (window_.velocity + velocity);
-  window_.way += step;
+  window_.displacement += step;
   window_.turned_back += orientation.conjugate() * step;
   window_.turned_on += orientation * step;
   window_.t = t;
@@ -109,15 +122,16 @@ void MotionPlausibility::compareVelocity(double t, const core::Vector3& velocity
   window_.is_open = false;
 }
 
-void MotionPlausibility::checkWindow(const core::Vector3& way)
+void MotionPlausibility::checkWindow(const core::Vector3& displacement)
 {
   const double duration = window_.t - window_.began;
-  const double most = VELOCITY_OFF * duration + VELOCITY_SHARE * way.norm() + SCATTERS * scatter();
-  const double off = (way - window_.way).norm();
+  const double most = VELOCITY_OFF * duration + VELOCITY_SHARE * displacement.norm() + SCATTERS * scatter();
+  const double off = (displacement - window_.displacement).norm();
   trusts_velocity_ = off <= most;
   if (trusts_velocity_)
     return;
-  const auto fits = [&](const core::Vector3& other) { return (way - other).norm() <= std::max(most, FITS * off); };
+  const auto fits = [&](const core::Vector3& other)
+  { return (displacement - other).norm() <= std::max(most, FITS * off); };
   const bool back = fits(window_.turned_back), on = fits(window_.turned_on);
   note(back && !on   ? Implausibility::VELOCITY_IN_WORLD_AXES
        : on && !back ? Implausibility::VELOCITY_IN_BODY_AXES
@@ -128,7 +142,7 @@ void MotionPlausibility::checkWindow(const core::Vector3& way)
 bool MotionPlausibility::isValid() const
 {
   bool sound = leap_position_.allFinite() && leap_count_ >= 0 && std::isfinite(leap_time_) &&
-               window_.way.allFinite() && window_.from.allFinite() && std::isfinite(window_.t);
+               window_.displacement.allFinite() && window_.from.allFinite() && std::isfinite(window_.t);
   for (const DifferenceNoiseEstimator& noise : noise_)
     sound = sound && noise.isValid();
   return sound;

@@ -12,7 +12,7 @@ constexpr double RESOLUTION = 0.15;                  // of a counter [m]
 constexpr double LONGEST_GAP = 5.0;                  // [s] between reports; beyond, the length may be any
 constexpr int LEAPS_BELIEVED = 4;                    // so many in a row are the truth
 constexpr double WINDOW = 1.0;                       // [s] over which the rate is held against the length
-constexpr double RATE_OFF = 0.05, RATE_SHARE = 0.2;  // [m/s], of the way: a rate may be off
+constexpr double RATE_OFF = 0.05, RATE_SHARE = 0.2;  // [m/s], of the displacement: a rate may be off
 }  // namespace
 
 PayoutPlausibility::Verdict PayoutPlausibility::check(double t, double length, double rate)
@@ -29,6 +29,7 @@ PayoutPlausibility::Verdict PayoutPlausibility::check(double t, double length, d
     if (leaps_ < LEAPS_BELIEVED)
       return Verdict::DOUBTFUL;
     verdict = Verdict::REACQUIRED;
+    last_other_ = t;
   }
   leaps_ = 0;
   if (verdict == Verdict::REACQUIRED || !has_report_ || t - t_ >= LONGEST_GAP || std::isnan(rate) ||
@@ -36,7 +37,7 @@ PayoutPlausibility::Verdict PayoutPlausibility::check(double t, double length, d
   {
     began_ = t;
     from_ = length;
-    way_ = 0.0;
+    integrated_ = 0.0;
   }
   else
   {
@@ -51,17 +52,18 @@ PayoutPlausibility::Verdict PayoutPlausibility::check(double t, double length, d
 
 void PayoutPlausibility::compareRate(double t, double length, double rate)
 {
-  way_ += 0.5 * (t - t_) * (rate_ + rate);
+  integrated_ += 0.5 * (t - t_) * (rate_ + rate);
   const double duration = t - began_;
   if (duration < WINDOW)
     return;
   const double change = length - from_;
-  trusts_rate_ = std::abs(change - way_) <= RESOLUTION + RATE_OFF * duration + RATE_SHARE * std::abs(change);
+  trusts_rate_ =
+      std::abs(change - integrated_) <= RESOLUTION + RATE_OFF * duration + RATE_SHARE * std::abs(change);
   if (!trusts_rate_)
     (change == 0.0 ? last_frozen_ : last_contradiction_) = t;
   began_ = t;
   from_ = length;
-  way_ = 0.0;
+  integrated_ = 0.0;
 }
 
 }  // namespace tether_monitor::monitor

@@ -6,6 +6,7 @@ namespace tether_monitor::monitor
 enum class Implausibility
 {
   LEAP,             ///< a position that no body gets to in the time.
+  RELOCATION,       ///< after a leap the positions went on elsewhere: one of the two places is wrong.
   FROZEN_POSITION,  ///< a position that repeats to the last digit after it moved, or while a velocity is measured.
   CONTRADICTORY_VELOCITY,  ///< the velocity is not that with which the positions change.
   VELOCITY_IN_WORLD_AXES,  ///< likewise, but it is when its axes are taken for those of the world.
@@ -14,6 +15,7 @@ enum class Implausibility
   VEHICLE_ABOVE_WATER,
   VESSEL_UNDER_WATER,
   LENGTH_LEAP,         ///< a deployed length that no winch gets to in the time.
+  OTHER_LENGTH,        ///< after a leap the lengths went on from there.
   FROZEN_LENGTH,       ///< a length that repeats while a rate is reported.
   CONTRADICTORY_RATE,  ///< the rate is not that with which the length changes.
   COUNT

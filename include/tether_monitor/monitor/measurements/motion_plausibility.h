@@ -15,8 +15,8 @@ namespace tether_monitor::monitor
  * Whether the positions and velocities that are measured of one body can be those of one body.
  *
  * A position is held against where the track would be, in units of the scatter of the positions and of what a
- * vessel or a vehicle can accelerate; over a second, velocities are held against the way between the positions.
- * Plain data.
+ * vessel or a vehicle can accelerate; over a second, velocities are held against the displacement between the
+ * positions. Plain data.
  */
 class MotionPlausibility
 {
@@ -66,24 +66,26 @@ class MotionPlausibility
 
  private:
   static constexpr std::size_t KINDS = static_cast<std::size_t>(Implausibility::COUNT);
-  // Ways over a stretch of time, by the velocities: as measured, and with their axes turned once more either way.
+  // Displacements over a stretch of time, by the velocities: as measured, and with their axes turned once more
+  // either displacement.
   struct Window
   {
     bool is_open = false;
     double began = 0.0, t = 0.0;
-    core::Vector3 from = core::Vector3::Zero(), velocity = core::Vector3::Zero(), way = core::Vector3::Zero();
+    core::Vector3 from = core::Vector3::Zero(), velocity = core::Vector3::Zero(),
+                  displacement = core::Vector3::Zero();
     core::Vector3 turned_back = core::Vector3::Zero(), turned_on = core::Vector3::Zero();
 
     template <class Archive>
     void serialize(Archive& a)
     {
-      a(is_open, began, t, from, velocity, way, turned_back, turned_on);
+      a(is_open, began, t, from, velocity, displacement, turned_back, turned_on);
     }
   };
-  double tolerance(double dt, const MotionBuffer& track, double t) const;
+  double tolerance(double acceleration, double dt, const MotionBuffer& track, double t) const;
   void watchRepeats(double t, const core::Vector3& position, const MotionBuffer& track);
   void note(Implausibility what, double t) { last_[static_cast<std::size_t>(what)] = t; }
-  void checkWindow(const core::Vector3& way);
+  void checkWindow(const core::Vector3& displacement);
 
   std::array<DifferenceNoiseEstimator, 3> noise_;
   std::array<double, KINDS> last_ = none();

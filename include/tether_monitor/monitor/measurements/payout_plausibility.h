@@ -22,6 +22,7 @@ class PayoutPlausibility
   bool trustsRate() const { return trusts_rate_; }
   /// When each was last seen [s]; -infinity: never.
   double lastLeap() const { return last_leap_; }
+  double lastOther() const { return last_other_; }
   double lastFrozen() const { return last_frozen_; }
   double lastContradiction() const { return last_contradiction_; }
   void clear() { *this = PayoutPlausibility(); }
@@ -29,8 +30,8 @@ class PayoutPlausibility
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(has_report_, t_, length_, rate_, leaps_, leap_time_, leap_length_, began_, from_, way_, trusts_rate_,
-      last_leap_, last_frozen_, last_contradiction_);
+    a(has_report_, t_, length_, rate_, leaps_, leap_time_, leap_length_, began_, from_, integrated_, trusts_rate_,
+      last_leap_, last_other_, last_frozen_, last_contradiction_);
   }
 
  private:
@@ -41,9 +42,9 @@ class PayoutPlausibility
   double t_ = 0.0, length_ = 0.0, rate_ = 0.0;  // of the last good report
   int leaps_ = 0;
   double leap_time_ = 0.0, leap_length_ = 0.0;
-  double began_ = 0.0, from_ = 0.0, way_ = 0.0;  // of a window over which the rate is integrated
+  double began_ = 0.0, from_ = 0.0, integrated_ = 0.0;  // of a window over which the rate is integrated
   bool trusts_rate_ = true;
-  double last_leap_ = NEVER, last_frozen_ = NEVER, last_contradiction_ = NEVER;
+  double last_leap_ = NEVER, last_other_ = NEVER, last_frozen_ = NEVER, last_contradiction_ = NEVER;
 };
 
 }  // namespace tether_monitor::monitor

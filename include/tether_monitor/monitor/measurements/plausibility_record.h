@@ -11,18 +11,28 @@ namespace tether_monitor::monitor
 class PlausibilityRecord
 {
  public:
+  /// How long a place or length is doubted that an input has leapt to [s].
+  static constexpr double DOUBT = 60.0;
+
   PlausibilityRecord() { clear(); }
 
   void note(Subject subject, Implausibility what, double t) { seen(subject, what) = t; }
   void clear() { last_.fill(-std::numeric_limits<double>::infinity()); }
   /// When it was last seen [s]; -infinity: never.
   double last(Subject subject, Implausibility what) const { return last_[index(subject, what)]; }
-  /// True if anything was seen within `memory` [s] before time t [s].
-  bool hasAny(double t, double memory) const
+  /// True if this is still to be minded at time t [s]. @param memory  how long the tether remembers [s].
+  bool holds(Subject subject, Implausibility what, double t, double memory) const
   {
-    for (const double last : last_)
-      if (t - last <= memory)
-        return true;
+    const bool is_doubt = what == Implausibility::RELOCATION || what == Implausibility::OTHER_LENGTH;
+    return t - last(subject, what) <= (is_doubt ? DOUBT : memory);
+  }
+  /// The same of anything.
+  bool holdsAny(double t, double memory) const
+  {
+    for (int s = 0; s < static_cast<int>(Subject::COUNT); ++s)
+      for (int k = 0; k < static_cast<int>(Implausibility::COUNT); ++k)
+        if (holds(static_cast<Subject>(s), static_cast<Implausibility>(k), t, memory))
+          return true;
     return false;
   }
 
