@@ -1,6 +1,9 @@
 // Inputs that lie: never OK with a wrong number for longer than a second.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <map>
+
 #include "support/fault_campaign.h"
 
 namespace tether_monitor::monitor
@@ -24,6 +27,15 @@ struct Outcome
   bool has_lie_on_flag = false;  // over_tension false while INVALID
   Status at_end = Status::INVALID;
 };
+
+// A vehicle that hangs from the tether and is towed.
+Config freeConfig()
+{
+  Config c = towConfig();
+  c.vehicle_mode = VehicleMode::FREE;
+  c.vehicle_body = smallVehicle();
+  return c;
+}
 
 Outcome runWith(const Config& config, Subject faulty, PoseFault fault)
 {
@@ -78,6 +90,144 @@ TEST(InputFaults, OfPosesAreNeverBelievedForLong)
         EXPECT_EQ(run.trust.shareOk(), 1.0);
       }
     }
+}
+
+TEST(InputFaults, OfTheVesselWithAFreeVehicleAreNeverBelievedForLong)
+{
+  for (int k = 0; k < static_cast<int>(PoseFault::COUNT); ++k)
+  {
+    const auto fault = static_cast<PoseFault>(k);
+    const Outcome run = runWith(freeConfig(), Subject::VESSEL, fault);
+    printf("%-24s longest lie %.2f s, OK %.0f %%, at the end %s\n", describe(fault), run.trust.longestLie(),
+           100.0 * run.trust.shareOk(), describe(run.at_end));
+    EXPECT_LE(run.trust.longestLie(), 1.0) << describe(fault);
+    EXPECT_FALSE(run.has_lie_on_flag) << describe(fault);
+    EXPECT_EQ(run.at_end, Status::OK) << describe(fault);
+  }
+}
+
+namespace
+{
+// A winch that pays out 0.5 m/s from t = 10 s on; `report` may spoil what it says.
+template <typename Report>
+Outcome payOut(const Report& report)
+{
+  const Config config = towConfig();
+  TetherEstimator estimator(config), truth(config);
+  const TowedTruth tow;
+  Outcome run;
+  for (int i = 0; i <= 2000; ++i)
+  {
+    const double t = 0.05 * i;
+    const double length = 100.0 + 0.3 * std::clamp(t - 10.0, 0.0, 20.0), rate = t > 10.0 && t < 30.0 ? 0.3 : 0.0;
+    for (TetherEstimator* e : {&estimator, &truth})
+    {
+      e->addVessel(PoseMeasurement{t, tow.vessel(t).position, Eigen::Quaterniond::Identity()});
+      e->addVehicle(PoseMeasurement{t, tow.vehicle(t).position, Eigen::Quaterniond::Identity()});
+    }
+    if (i % 2 == 0)
+    {
+      truth.addPayout(t, length, rate);
+      const auto [said_length, said_rate] =
+          t < 15.0 || t > 25.0 ? std::pair(length, rate) : report(t, length, rate);
+      if (!std::isnan(said_length) && !estimator.addPayout(t, said_length, said_rate))
+        estimator.noteRejectedInput(t);
+    }
+    const TetherEstimate& right = truth.tick(t);
+    const TetherEstimate& e = estimator.tick(t);
+    if (t > 5.0)
+      run.trust.add(t, e.status, e.vessel_tension, right.vessel_tension);
+    run.at_end = e.status;
+  }
+  return run;
+}
+}  // namespace
+
+TEST(InputFaults, OfTheWinchAreNeverBelievedForLong)
+{
+  using Report = std::pair<double, double>;
+  double frozen = 0.0;
+  const std::map<std::string, std::function<Report(double, double, double)>> faults{
+      {"none", [](double, double l, double r) { return Report(l, r); }},
+      {"killed", [](double, double, double) { return Report(NAN, NAN); }},
+      {"frozen",
+       [&](double t, double l, double r)
+       {
+         frozen = t < 15.2 ? l : frozen;
+         return Report(frozen, r);
+       }},
+      {"leapt", [](double, double l, double r) { return Report(l + 20.0, r); }},
+      {"rate of the wrong sign", [](double, double l, double r) { return Report(l, -r); }},
+      {"rate of zero", [](double, double l, double) { return Report(l, 0.0); }},
+      {"extreme", [](double, double, double) { return Report(1e300, 1e300); }}};
+  for (const auto& [name, report] : faults)
+  {
+    const Outcome run = payOut(report);
+    printf("%-24s longest lie %.2f s, OK %.0f %%, at the end %s\n", name.c_str(), run.trust.longestLie(),
+           100.0 * run.trust.shareOk(), describe(run.at_end));
+    EXPECT_LE(run.trust.longestLie(), 1.0) << name;
+    EXPECT_EQ(run.at_end, Status::OK) << name;
+    if (name == "none")
+    {
+      EXPECT_EQ(run.trust.shareOk(), 1.0);
+    }
+  }
+}
+
+TEST(InputFaults, NoTetherOutIsNoDanger)
+{
+  EstimatorFixture site;
+  site.run(3.0);
+  ASSERT_EQ(site.estimator.estimate().status, Status::OK) << "precondition";
+  ASSERT_TRUE(site.estimator.addPayout(site.t, 0.0, 0.0));
+  site.run(0.1);
+  EXPECT_EQ(site.estimator.estimate().status, Status::STOWED);
+  EXPECT_TRUE(site.estimator.estimate().is_stowed);
+  EXPECT_FALSE(site.estimator.estimate().has_stations);
+  EXPECT_FALSE(site.estimator.overTension());
+  site.run(10.0);
+  EXPECT_EQ(site.estimator.estimate().reason, Reason::PAYOUT_STALE) << "a winch that says nothing more";
+  EXPECT_TRUE(site.estimator.overTension());
+  ASSERT_TRUE(site.estimator.addPayout(site.t, 100.0, 0.0));
+  site.run(0.5);
+  EXPECT_EQ(site.estimator.estimate().status, Status::OK);
+  EXPECT_FALSE(site.estimator.estimate().is_stowed);
+}
+
+TEST(InputFaults, ImpossibleWorldsAreNamed)
+{
+  const auto finding = [](double vessel_z, double vehicle_z, Subject subject, Implausibility what)
+  {
+    EstimatorFixture site;
+    site.vessel.z() = vessel_z;
+    site.vehicle = {60.0, 0.0, vehicle_z};
+    site.run(3.0);
+    EXPECT_NE(site.estimator.estimate().status, Status::OK) << vessel_z << " " << vehicle_z;
+    return site.estimator.findings().last(subject, what) > 0.0;
+  };
+  EXPECT_TRUE(finding(1.0, 20.0, Subject::VEHICLE, Implausibility::VEHICLE_ABOVE_WATER));
+  EXPECT_TRUE(finding(1.0, 70.0, Subject::VEHICLE, Implausibility::VEHICLE_ABOVE_WATER)) << "z down";
+  EXPECT_TRUE(finding(-50.0, -70.0, Subject::VESSEL, Implausibility::VESSEL_UNDER_WATER));
+}
+
+TEST(InputFaults, ScatterOnATautTetherIsUncertain)
+{
+  Config config = towConfig();
+  config.vehicle.position_stddev = 0.3;
+  TetherEstimator estimator(config);
+  const TowedTruth tow;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double t = 0.05 * i;
+    estimator.addVessel(PoseMeasurement{t, tow.vessel(t).position, Eigen::Quaterniond::Identity()});
+    estimator.addVehicle(PoseMeasurement{t, tow.vehicle(t).position, Eigen::Quaterniond::Identity()});
+    estimator.tick(t);
+  }
+  const TetherEstimate& e = estimator.estimate();
+  EXPECT_EQ(e.reason, Reason::UNCERTAIN);
+  // At least that of the straight tether: EA / L times the scatter.
+  EXPECT_GT(e.vessel_tension_stddev, 0.5 * config.tether.axial_stiffness / config.tether.length * 0.3);
+  EXPECT_EQ(e.vehicle_position_stddev, 0.3);
 }
 
 }  // namespace tether_monitor::monitor

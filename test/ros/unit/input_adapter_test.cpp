@@ -4,6 +4,7 @@
 
 #include "support/estimator_fixture.h"
 #include "tether_monitor/monitor/estimator/filtered_vessel_end.h"
+#include "tether_monitor/ros/geometry_conversions.h"
 
 namespace tether_monitor
 {
@@ -115,6 +116,58 @@ TEST_F(InputAdapterTest, OdometryKeepsItsCovariance)
   for (int i = 0; i < 6; ++i)
     odom.pose.covariance[7 * i] = 1e6;
   EXPECT_TRUE(says(adapter.accept(Body::VESSEL, odom, now), "not measured")) << "mode tracked";
+}
+
+TEST_F(InputAdapterTest, TwistAndBodyAxesAreAsConfigured)
+{
+  // Heading west, 2 m/s ahead: the same motion as four kinds of stacks say it.
+  const Eigen::Quaterniond flu(Eigen::AngleAxisd(M_PI, core::Vector3::UnitZ()));
+  const Eigen::Quaterniond frd = flu * Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+  const core::Vector3 velocity(-2.0, 0.0, 0.5);
+  for (const auto axes : {monitor::BodyAxes::FLU, monitor::BodyAxes::FRD})
+    for (const auto frame : {monitor::TwistFrame::CHILD, monitor::TwistFrame::WORLD})
+    {
+      monitor::Config config = monitor::coarseConfig();
+      config.vehicle.body_axes = axes;
+      config.vehicle.twist_frame = frame;
+      monitor::TetherEstimator other(config);
+      InputAdapter into(other, transforms);
+      into.setTimeBase(TimeOrigin(ros::Time(100.0)));
+      const Eigen::Quaterniond q = axes == monitor::BodyAxes::FLU ? flu : frd;
+      nav_msgs::Odometry odom;
+      odom.header = pose("map").header;
+      odom.pose.pose.orientation = quaternionMessage(q);
+      odom.twist.twist.linear =
+          vectorMessage(frame == monitor::TwistFrame::WORLD ? velocity : core::Vector3(q.conjugate() * velocity));
+      ASSERT_EQ(into.accept(Body::VEHICLE, odom, now), std::nullopt);
+      EXPECT_LT((other.vehicle().track().at(1.0).velocity - velocity).norm(), 1e-12);
+      EXPECT_LT(other.vehicle().track().at(1.0).orientation.angularDistance(flu), 1e-12);
+      geometry_msgs::TwistStamped twist;
+      twist.header = odom.header;
+      twist.header.stamp += ros::Duration(0.1);
+      twist.header.frame_id = "base_link";
+      twist.twist.linear = odom.twist.twist.linear;
+      ASSERT_EQ(into.accept(Body::VEHICLE, twist, now), std::nullopt);
+      EXPECT_LT((other.vehicle().track().at(1.1).velocity - velocity).norm(), 1e-12);
+    }
+}
+
+TEST_F(InputAdapterTest, FieldsThatNobodyFillsAreNotMeasured)
+{
+  nav_msgs::Odometry odom;
+  odom.header = pose("map").header;
+  odom.pose.pose.position.x = 3.0;  // a quaternion of zeros, a twist of zeros without covariance
+  ASSERT_EQ(adapter.accept(Body::VEHICLE, odom, now), std::nullopt);
+  EXPECT_TRUE(estimator.vehicle().track().hasPose());
+  EXPECT_FALSE(estimator.vehicle().track().hasRates(1.0));
+  odom.header.stamp += ros::Duration(0.1);
+  odom.twist.covariance[0] = odom.twist.covariance[7] = odom.twist.covariance[14] = 0.01;
+  ASSERT_EQ(adapter.accept(Body::VEHICLE, odom, now), std::nullopt);
+  EXPECT_TRUE(estimator.vehicle().track().hasRates(1.1)) << "a velocity of zero that somebody vouches for";
+  odom.header.stamp += ros::Duration(0.1);
+  odom.twist.twist.linear.x = 1.0;
+  odom.pose.covariance[0] = odom.twist.covariance[0] = NAN;
+  EXPECT_EQ(adapter.accept(Body::VEHICLE, odom, now), std::nullopt) << "a covariance of NaN is none";
 }
 
 TEST_F(InputAdapterTest, ChecksPayoutAndCurrent)
