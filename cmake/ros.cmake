@@ -28,6 +28,7 @@ export(TARGETS tether_monitor_core tether_monitor_monitor NAMESPACE tether_monit
 add_library(tether_monitor_ros STATIC
   src/ros/alarm_text.cpp
   src/ros/bag_replay.cpp
+  src/ros/crash_guard.cpp
   src/ros/diagnostics.cpp
   src/ros/geometry_conversions.cpp
   src/ros/input_adapter.cpp

@@ -58,6 +58,7 @@ set(test_files
   test/files/csv_writer_test.cpp
   test/files/cubic_spline_test.cpp
   test/files/depth_grid_file_test.cpp
+  test/files/text_file_test.cpp
   test/monitor/alarms/alarm_quantities_test.cpp
   test/monitor/alarms/alarm_set_test.cpp
   test/monitor/alarms/alarm_test.cpp

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -12,6 +13,8 @@
 
 namespace
 {
+constexpr int INTERRUPTED = 130;  // exit code, as the shell has it
+
 struct Arguments
 {
   std::string config, bag, ns, motion, out;
@@ -20,6 +23,13 @@ struct Arguments
   double shape_rate = 1.0;
   bool quiet = false;
 };
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void interrupt(int)
+{
+  is_interrupted = 1;
+}
 
 void showProgress(double share)
 {
@@ -64,7 +74,7 @@ void replayCsv(const Arguments& arguments, const tether_monitor::replay::ReplayO
     replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
   else
     replay::replayMotion(motion, options, estimator, recorder);
-  recorder.finish(estimator);
+  recorder.finish(estimator, is_interrupted != 0);
 }
 
 void replay(const Arguments& arguments)
@@ -77,6 +87,9 @@ void replay(const Arguments& arguments)
   replay::ReplayOptions options;
   options.parting = arguments.parting;
   options.rate = arguments.rate;
+  options.is_interrupted = [] { return is_interrupted != 0; };
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   if (!arguments.quiet && isatty(STDERR_FILENO))
     options.progress = showProgress;
 
@@ -90,7 +103,7 @@ void replay(const Arguments& arguments)
     replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
     for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
       std::cerr << "warning: " << warning << "\n";
-    recorder.finish(estimator);
+    recorder.finish(estimator, is_interrupted != 0);
   }
   if (!arguments.quiet)
     std::cout << "wrote ends.csv, alarms.csv, summary.json" << (arguments.shape_rate > 0.0 ? " and shape.csv" : "")
@@ -136,6 +149,6 @@ int main(int argc, char** argv)
                                               tether_monitor::apps::checkPositive("rate", a.rate);
                                             tether_monitor::apps::checkNotNegative("shape-rate", a.shape_rate);
                                             replay(a);
-                                            return 0;
+                                            return is_interrupted != 0 ? INTERRUPTED : 0;
                                           });
 }

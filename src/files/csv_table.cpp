@@ -3,14 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
+
+#include "tether_monitor/files/text_file.h"
 
 namespace tether_monitor::files
 {
 namespace
 {
+constexpr std::size_t MOST_COLUMNS = 1000;
+constexpr std::size_t LONGEST_QUOTE = 40;
+
+// A field for a message: short, and of characters that a terminal shows.
+std::string quoted(const std::string& text)
+{
+  std::string shown = text.substr(0, LONGEST_QUOTE);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+      c = '?';
+  return "'" + shown + (text.size() > LONGEST_QUOTE ? "...'" : "'");
+}
+
 std::string trimmed(const std::string& text)
 {
   const char* const SPACE = " \t\r\n\"";
@@ -48,9 +62,9 @@ double parseField(const CsvTable& table, int line, std::size_t column, const std
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if (end != text.c_str() + text.size())
-    fail(table.path, line, name + " = '" + text + "' is not a number");
+    fail(table.path, line, name + " = " + quoted(text) + " is not a number");
   if (!std::isfinite(value))
-    fail(table.path, line, name + " = '" + text + "' is not finite");
+    fail(table.path, line, name + " = " + quoted(text) + " is not finite");
   return value;
 }
 }  // namespace
@@ -61,27 +75,31 @@ std::optional<std::size_t> CsvTable::find(const std::string& column) const
   return it == columns.end() ? std::nullopt : std::optional<std::size_t>(it - columns.begin());
 }
 
-CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty)
+CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty, const IsHeader& expected)
 {
-  std::ifstream in(path);
-  if (!in)
-    throw std::runtime_error("cannot read " + path);
+  TextFile in(path);
   CsvTable table;
   table.path = path;
   std::string line;
-  for (int number = 1; std::getline(in, line); ++number)
+  while (in.readLine(line))
   {
+    const int number = in.lineNumber();
     const std::string content = trimmed(line);
     if (content.empty() || content[0] == '#')
       continue;
     const std::vector<std::string> fields = split(content);
     if (table.columns.empty())
     {
+      if (fields.size() > MOST_COLUMNS)
+        fail(path, number,
+             std::to_string(fields.size()) + " columns, at most " + std::to_string(MOST_COLUMNS) + " can be");
+      if (expected && !expected(fields))
+        fail(path, number, "the header does not name the columns that are expected");
       table.columns = fields;
       table.header_line = number;
       for (std::size_t i = 0; i < fields.size(); ++i)
         if (std::count(fields.begin(), fields.end(), fields[i]) > 1)
-          fail(path, number, "column " + fields[i] + " stands twice");
+          fail(path, number, "column " + quoted(fields[i]) + " stands twice");
       continue;
     }
     if (fields.size() != table.columns.size())
@@ -94,8 +112,6 @@ CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty)
     table.rows.push_back(std::move(row));
     table.lines.push_back(number);
   }
-  if (in.bad())
-    throw std::runtime_error("cannot read " + path);
   if (table.columns.empty())
     throw std::runtime_error(path + " is empty: no header line");
   return table;

@@ -46,14 +46,21 @@ Axis axisOf(const CsvTable& table, std::size_t column)
 
 core::DepthGrid readDepthGrid(const std::string& path)
 {
-  const CsvTable table = readCsv(path);
-  for (const std::string& column : table.columns)
-    if (column != "x" && column != "y" && column != "depth")
-      throw std::runtime_error(
-          std::string(path).append(": column ").append(column).append(" is not known (x, y and depth are)"));
+  const auto isGrid = [](std::vector<std::string> columns)
+  {
+    std::sort(columns.begin(), columns.end());
+    return columns == std::vector<std::string>{"depth", "x", "y"};
+  };
+  CsvTable table;
+  try
+  {
+    table = readCsv(path, nullptr, isGrid);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(std::string(error.what()) + " (a depth grid has the columns x, y and depth)");
+  }
   const auto x = table.find("x"), y = table.find("y"), depth = table.find("depth");
-  if (!x || !y || !depth)
-    throw std::runtime_error(path + ": the columns x, y and depth are required");
   if (table.rows.empty())
     throw std::runtime_error(path + " has a header but no rows");
   const Axis ax = axisOf(table, *x), ay = axisOf(table, *y);

@@ -82,6 +82,8 @@ void run(const Motion& motion, const ReplayOptions& options, monitor::TetherEsti
       recorder.accumulate(estimator);
     }
     recorder.writeRow(estimator);
+    if (options.is_interrupted && options.is_interrupted())
+      return;
     if (options.progress)
       options.progress((i + 1.0) / times.size());
   }

@@ -32,7 +32,7 @@ nlohmann::json orNull(double value)
 }  // namespace
 
 ResultRecorder::ResultRecorder(const std::string& folder, double shape_rate, VehicleColumns vehicle)
-  : folder_(prepared(folder)), shape_rate_(shape_rate), ends_(folder, vehicle), alarms_(folder)
+  : folder_(prepared(folder)), lock_(folder), shape_rate_(shape_rate), ends_(folder, vehicle), alarms_(folder)
 {
   if (shape_rate > 0.0)
     shape_ = std::make_unique<ShapeFile>(folder);
@@ -85,9 +85,11 @@ void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
   }
 }
 
-void ResultRecorder::finish(const monitor::TetherEstimator& estimator)
+void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool interrupted)
 {
   nlohmann::json summary;
+  if (interrupted)
+    summary["interrupted"] = true;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
   summary["elements"] = estimator.simulation().model.elements();

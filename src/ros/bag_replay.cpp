@@ -12,6 +12,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tether_monitor/ros/crash_guard.h"
 #include "tether_monitor/ros/diagnostics.h"
 #include "tether_monitor/ros/input_adapter.h"
 #include "tether_monitor/ros/input_topics.h"
@@ -154,8 +155,33 @@ std::string poseTopics(InputStream body, const std::string& prefix)
   throw std::runtime_error(text);
 }
 
+// One wrong clock of the recorder must not make the run as long as to its time.
+void dropStrayRecords(Recording& recording)
+{
+  constexpr double FARTHEST = 30.0 * 86400.0;  // [s] from the middle of the recording
+  std::vector<ros::Time> times;
+  for (const Stream& stream : recording.streams)
+    for (const Input& input : stream.inputs)
+      times.push_back(input.recorded);
+  if (times.empty())
+    return;
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  const ros::Time usual = *middle;
+  for (Stream& stream : recording.streams)
+  {
+    const auto isStray = [&](const Input& input)
+    { return std::abs(secondsBetween(input.recorded, usual)) > FARTHEST; };
+    for (const Input& input : stream.inputs)
+      if (isStray(input))
+        refuse(input.topic->name, "it was recorded more than 30 days from the others", recording);
+    stream.inputs.erase(std::remove_if(stream.inputs.begin(), stream.inputs.end(), isStray), stream.inputs.end());
+  }
+}
+
 void readBag(const std::string& path, const std::string& ns, bool needs_vehicle, Recording& recording)
 {
+  const CrashGuard crash("the bag is damaged beyond what can be read\n");
   rosbag::Bag bag;
   openBag(path, bag);
   const std::string prefix = prefixOf(ns);
@@ -172,10 +198,11 @@ void readBag(const std::string& path, const std::string& ns, bool needs_vehicle,
         addMessage(m, rooted.substr(prefix.size()), recording);
     }
   }
-  catch (const rosbag::BagException& error)
+  catch (const std::exception& error)
   {
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
+  dropStrayRecords(recording);
   // What is measured of a free vehicle is not used.
   if (!needs_vehicle)
     recording.at(InputStream::VEHICLE).inputs.clear();
@@ -337,6 +364,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
       recorder.accumulate(estimator);
     }
     recorder.writeRow(estimator);
+    if (options.is_interrupted && options.is_interrupted())
+      return warningsOf(recording);
     if (options.progress)
       options.progress((i + 1.0) / outputs);
   }

@@ -44,7 +44,7 @@ TEST(CsvTable, AnEmptyFieldIsNaNWhereItMayBe)
 TEST(CsvTable, FaultsAreNamedWithFileAndLine)
 {
   EXPECT_EQ(faultOf("# only this\n"), " is empty: no header line");
-  EXPECT_EQ(faultOf("a,b,a\n"), ", line 1: column a stands twice");
+  EXPECT_EQ(faultOf("a,b,a\n"), ", line 1: column 'a' stands twice");
   EXPECT_EQ(faultOf("a,b\n1,2\n1,2,3\n"), ", line 3: 3 fields where the header names 2");
   EXPECT_EQ(faultOf("a,b\n1,2m\n"), ", line 2: column b = '2m' is not a number");
   EXPECT_EQ(faultOf("a,b\n1,inf\n"), ", line 2: column b = 'inf' is not finite");

@@ -32,8 +32,8 @@ TEST(DepthGridFile, NodesMayStandInAnyOrder)
 
 TEST(DepthGridFile, FaultsAreNamed)
 {
-  EXPECT_NE(faultOf("x,y,depth,name\n0,0,1,2\n").find("column name is not known"), std::string::npos);
-  EXPECT_NE(faultOf("x,depth\n0,1\n").find("x, y and depth are required"), std::string::npos);
+  EXPECT_NE(faultOf("x,y,depth,name\n0,0,1,2\n").find("the header does not name the columns"), std::string::npos);
+  EXPECT_NE(faultOf("x,depth\n0,1\n").find("columns x, y and depth"), std::string::npos);
   EXPECT_NE(faultOf("x,y,depth\n").find("no rows"), std::string::npos);
   EXPECT_NE(faultOf("x,y,depth\n0,0,1\n0,1,1\n").find("column x has fewer than two"), std::string::npos);
   EXPECT_NE(faultOf("x,y,depth\n0,0,1\n0,1,1\n1,0,1\n").find("2 by 2 nodes are expected, some are missing"),

@@ -287,6 +287,45 @@ TEST_F(YamlFile, IsReadAsTheParameterServerHasIt)
   EXPECT_TRUE(*map.at("c").get<Value::Map>()->at("d").get<bool>());
 }
 
+TEST_F(YamlFile, WhatHasNoEndIsRefusedAtOnce)
+{
+  const auto fault = [&](const std::string& text)
+  {
+    try
+    {
+      readYamlFile(write(text));
+      return std::string("accepted");
+    }
+    catch (const std::runtime_error& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(fault("a: &a [*a]\n").find("refer to itself"), std::string::npos);
+  EXPECT_NE(fault("a: &a {b: *a}\n").find("refer to itself"), std::string::npos);
+  std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 12; ++i)
+  {
+    const std::string before = "*a" + std::to_string(i - 1);
+    bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before;
+    for (int k = 0; k < 9; ++k)
+      bomb += ", " + before;
+    bomb += "]\n";
+  }
+  EXPECT_NE(fault(bomb).find("more than 100000 entries"), std::string::npos);
+  EXPECT_NE(fault(std::string(100000, '[')).find("lists within lists"), std::string::npos);
+  std::string dashes;
+  for (int i = 0; i < 100000; ++i)
+    dashes += "- ";
+  EXPECT_NE(fault(dashes).find("lists within lists"), std::string::npos);
+  EXPECT_NE(fault(std::string(2 << 20, 'x')).find("larger than"), std::string::npos);
+  EXPECT_EQ(fault("# " + std::string(200, '-') + "[[[\na: [1, 2]  # " + std::string(100, '[') + "\n"), "accepted");
+  EXPECT_EQ(fault("\xEF\xBB\xBF"
+                  "a: 1\n"),
+            "accepted");
+  EXPECT_THROW(readYamlFile("/dev/zero"), std::runtime_error);
+}
+
 TEST_F(YamlFile, FaultsNameFileAndLine)
 {
   EXPECT_THROW(readYamlFile("/nowhere/at/all.yaml"), std::runtime_error);

@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadMotion{HEADER + "\n0,0,0,0,1,1,1\n0,0,0,0,1,1,1\n", "line 3: t does not increase"},
                       BadMotion{"t,vessel_x,vessel_y,vessel_z\n0,0,0,0\n", "line 1: column vehicle_x is missing"},
                       BadMotion{HEADER + ",speed\n0,0,0,0,1,1,1,2\n", "line 1: column speed is not known"},
-                      BadMotion{HEADER + ",t\n0,0,0,0,1,1,1,2\n", "column t stands twice"},
+                      BadMotion{HEADER + ",t\n0,0,0,0,1,1,1,2\n", "column 't' stands twice"},
                       BadMotion{HEADER + ",vessel_vx\n0,0,0,0,1,1,1,2\n", "column vessel_vy is missing"},
                       BadMotion{HEADER + ",payout\n0,0,0,0,1,1,1,0\n", "line 2: payout must be > 0"},
                       BadMotion{HEADER + ",vessel_qx,vessel_qy,vessel_qz,vessel_qw\n0,0,0,0,1,1,1,0,0,0,0\n",

@@ -28,6 +28,7 @@ struct ReplayOptions
   std::optional<Parting> parting = std::nullopt;  ///< of a tether that preparedToPart() has made.
 
   double rate = 0.0;                     ///< [Hz] of ends.csv; 0: the times of the motion's rows.
+  std::function<bool()> is_interrupted;  ///< asked after every output: true ends the replay; may be empty.
   std::function<void(double)> progress;  ///< called with the share done [0, 1]; may be empty.
 };
 

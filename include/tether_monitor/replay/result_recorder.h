@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "tether_monitor/files/folder_lock.h"
 #include "tether_monitor/replay/result_files.h"
 
 namespace tether_monitor::replay
@@ -28,11 +29,12 @@ class ResultRecorder
   void accumulate(const monitor::TetherEstimator& estimator);
   /// Writes an estimate at an output time; observe() it first.
   void writeRow(const monitor::TetherEstimator& estimator);
-  /// Writes summary.json and closes all files.
-  void finish(const monitor::TetherEstimator& estimator);
+  /// Writes summary.json and closes all files. @param interrupted  the run was ended before its time.
+  void finish(const monitor::TetherEstimator& estimator, bool interrupted = false);
 
  private:
   std::string folder_;
+  files::FolderLock lock_;
   double shape_rate_;
   EndsFile ends_;
   AlarmsFile alarms_;
