@@ -10,9 +10,10 @@ foreach(unit geometry_conversions input_adapter input_statistics input_topics ma
   target_link_libraries(ros_unit_${unit}_test tether_monitor_ros)
 endforeach()
 
-foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown message_fuzz)
+foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown message_fuzz input_faults)
   add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)
   target_link_libraries(${scenario}_test tether_monitor_ros)
+  target_include_directories(${scenario}_test PRIVATE ${PROJECT_SOURCE_DIR}/test)
   add_dependencies(${scenario}_test tether_monitor_node)
 endforeach()
 

@@ -42,11 +42,17 @@ def ball(header, marker_id, position, colour, size):
     return marker
 
 
+def optional(name):
+    """The file that a parameter names; roslaunch has "none" for none."""
+    value = rospy.get_param(name, "none")
+    return "" if value == "none" else value
+
+
 class Watch:
     def __init__(self):
         self.s = rospy.get_param("~s", 1.2)
-        self.plot = rospy.get_param("~plot", "")
-        self.screenshot = rospy.get_param("~screenshot", "")
+        self.plot = optional("~plot")
+        self.screenshot = optional("~screenshot")
         self.lock = threading.Lock()
         self.measured = None
         self.over_tension = True

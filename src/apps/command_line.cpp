@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -71,6 +72,37 @@ std::pair<double, double> twoNumbers(const std::string& option, const std::strin
   return {a, b};
 }
 
+namespace
+{
+// Bytes of the character that begins at `at`, 0 if it is none that a terminal shows.
+std::size_t characterLength(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const unsigned first = byte(at);
+  if (first < 0x80)
+    return (first >= ' ' && first != 0x7f) || first == '\n' ? 1 : 0;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4)
+    return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(at + k) & 0xc0) != 0x80)
+      return 0;
+  return length;
+}
+}  // namespace
+
+std::string printable(const std::string& text)
+{
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();)
+  {
+    const std::size_t length = characterLength(text, at);
+    shown += length > 0 ? text.substr(at, length) : "?";
+    at += std::max<std::size_t>(length, 1);
+  }
+  return shown;
+}
+
 int runProgram(const std::string& program, CommandLine& line, int argc, const char* const* argv,
                const std::function<int()>& run)
 {
@@ -84,7 +116,7 @@ int runProgram(const std::string& program, CommandLine& line, int argc, const ch
   }
   catch (const std::exception& error)
   {
-    std::cerr << program << ": " << error.what() << "\n";
+    std::cerr << program << ": " << printable(error.what()) << "\n";
   }
   return 1;
 }

@@ -43,6 +43,10 @@ void checkNotNegative(const std::string& option, double value);
 /// The numbers in "A,B", text of an option. @throws CommandLineError naming it.
 std::pair<double, double> twoNumbers(const std::string& option, const std::string& text);
 
+/// The text with a question mark for every byte that is no character: what came out of a damaged file must not
+/// steer a terminal.
+std::string printable(const std::string& text);
+
 /// Calls parse() and then run(), and prints what goes wrong. @return the exit code: that of run(), 1 after an
 /// error.
 int runProgram(const std::string& program, CommandLine& line, int argc, const char* const* argv,

@@ -102,7 +102,7 @@ void replay(const Arguments& arguments)
   {
     replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
     for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
-      std::cerr << "warning: " << warning << "\n";
+      std::cerr << "warning: " << apps::printable(warning) << "\n";
     recorder.finish(estimator, is_interrupted != 0);
   }
   if (!arguments.quiet)

@@ -115,6 +115,15 @@ std::vector<InputStream> bodiesNeeded(bool needs_vehicle)
   return {InputStream::VESSEL};
 }
 
+std::vector<std::string> warningsOf(const Recording& recording)
+{
+  std::vector<std::string> texts;
+  for (const auto& [topic, refusal] : recording.refusals)
+    texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
+                    " refused, last: " + refusal.last_reason);
+  return texts;
+}
+
 // "/vessel/pose or /vessel/odom"
 std::string poseTopics(InputStream body, const std::string& prefix)
 {
@@ -126,7 +135,7 @@ std::string poseTopics(InputStream body, const std::string& prefix)
 }
 
 [[noreturn]] void failWithoutTopics(const std::string& path, const std::string& prefix, bool needs_vehicle,
-                                    rosbag::View& all)
+                                    const Recording& recording, rosbag::View& all)
 {
   std::set<std::string> topics;
   std::set<std::string> hints;
@@ -150,6 +159,8 @@ std::string poseTopics(InputStream body, const std::string& prefix)
     for (const std::string& topic : topics)
       text += " " + topic;
   }
+  for (const std::string& warning : warningsOf(recording))
+    text += "\n" + warning;
   for (const std::string& hint : hints)
     text += "\nTry --ns " + hint;
   throw std::runtime_error(text);
@@ -210,7 +221,7 @@ void readBag(const std::string& path, const std::string& ns, bool needs_vehicle,
   {
     const std::vector<Input>& inputs = recording.at(body).inputs;
     if (std::none_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.topic->is_pose; }))
-      failWithoutTopics(path, prefix, needs_vehicle, all);
+      failWithoutTopics(path, prefix, needs_vehicle, recording, all);
   }
   for (Stream& stream : recording.streams)
     std::stable_sort(stream.inputs.begin(), stream.inputs.end(),
@@ -277,15 +288,6 @@ void acceptUntil(double t, const TimeOrigin& base, const monitor::TetherEstimato
     acceptArrived(t, base, recording, adapter);
   else
     acceptAhead(t, base, estimator, recording, adapter);
-}
-
-std::vector<std::string> warningsOf(const Recording& recording)
-{
-  std::vector<std::string> texts;
-  for (const auto& [topic, refusal] : recording.refusals)
-    texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
-                    " refused, last: " + refusal.last_reason);
-  return texts;
 }
 
 // Stamps of the first and the last usable pose of a body: neither zero nor beyond the time of its recording.

@@ -1,9 +1,14 @@
 #!/usr/bin/python3
 import csv
+import fcntl
 import json
+import math
 import os
+import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 import rosbag
@@ -201,6 +206,62 @@ class Tools(unittest.TestCase):
             for topic in ("/vessel/pose", "/vehicle/pose"):
                 bag.write(topic, pose, rospy.Time(1))
         self.refused(self.replay("--bag", foreign), "was refused", "frame_id is empty")
+
+    def test_a_topic_of_another_type_is_named_with_both(self):
+        path = os.path.join(self.folder.name, "type.bag")
+        with rosbag.Bag(path, "w") as bag:
+            bag.write("/vessel/pose", String("hello"), rospy.Time(1))
+        self.refused(self.replay("--bag", path), "std_msgs/String", "geometry_msgs/PoseStamped")
+
+    def test_one_record_of_the_year_2096_does_not_lose_the_run(self):
+        path = os.path.join(self.folder.name, "far.bag")
+        with rosbag.Bag(path, "w") as bag:
+            for i in range(100):
+                for topic, x, z in (("/vessel/pose", 0.0, 1.0), ("/vehicle/pose", 60.0, -70.0)):
+                    pose = PoseStamped()
+                    pose.header.stamp = rospy.Time(4000000000 if i == 50 else 1700000000 + i)
+                    pose.header.frame_id = "map"
+                    pose.pose.position.x, pose.pose.position.z, pose.pose.orientation.w = x, z, 1.0
+                    bag.write(topic, pose, pose.header.stamp)
+        ended = self.replay("--bag", path, "--rate", "1")
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertIn("30 days", ended.stdout)
+        self.assertEqual(len(rows(self.out + "/ends.csv")), 100)
+
+    def test_two_runs_into_one_folder(self):
+        os.mkdir(self.out)
+        held = os.open(self.out, os.O_RDONLY)
+        fcntl.flock(held, fcntl.LOCK_EX)
+        self.refused(self.replay("--bag", TANK_BAG, config=TANK), "another run")
+        os.close(held)
+        self.assertEqual(self.replay("--bag", TANK_BAG, config=TANK).returncode, 0)
+
+    def test_an_interrupted_run_leaves_whole_rows_and_says_so(self):
+        motion = self.file("long.csv", "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z\n" + "".join(
+            "%d,0,0,1,%g,0,-70\n" % (i, 60 + 0.5 * math.sin(0.3 * i)) for i in range(200000)))
+        replay = subprocess.Popen([shutil.which("rosrun"), "tether_monitor", "tether_replay", "--config", SITE, "--motion",
+                                   motion, "--out", self.out, "--rate", "1"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
+        for _ in range(100):
+            if os.path.exists(self.out + "/ends.csv") and os.path.getsize(self.out + "/ends.csv") > 4096:
+                break
+            time.sleep(0.1)
+        replay.send_signal(signal.SIGINT)
+        self.assertEqual(replay.wait(20), 130)
+        with open(self.out + "/summary.json") as text:
+            self.assertTrue(json.load(text)["interrupted"])
+        lines = open(self.out + "/ends.csv").read()
+        self.assertTrue(lines.endswith("\n"))
+        self.assertEqual({line.count(",") for line in lines.splitlines()}, {10})
+
+    def test_a_tether_that_parts(self):
+        motion = self.file("still.csv", "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z\n" + "".join(
+            "%d,0,0,1,60,0,-70\n" % i for i in range(61)))
+        self.assertEqual(self.replay("--motion", motion, "--part-at", "5,40").returncode, 0)
+        ends = rows(self.out + "/ends.csv")
+        self.assertLess(abs(float(ends[-1]["vessel_fx"])), 0.1 * abs(float(ends[0]["vessel_fx"])))
+        self.refused(self.replay("--motion", motion, "--part-at", "5"), "two numbers")
+        self.refused(self.replay("--motion", motion, "--part-at", "500,40"), "cannot part at t = 500")
 
     def test_bad_arguments(self):
         self.assertEqual(run("tether_replay").returncode, 1)
