@@ -63,6 +63,7 @@ set(test_files
   test/monitor/alarms/alarm_set_test.cpp
   test/monitor/alarms/alarm_test.cpp
   test/monitor/config/config_fingerprint_test.cpp
+  test/monitor/config/suspicious_values_test.cpp
   test/monitor/estimate/estimate_summary_test.cpp
   test/monitor/estimate/status_test.cpp
   test/monitor/estimator/allocation_test.cpp

@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 #include "tether_monitor/files/csv_table.h"
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/replay/csv_replay.h"
 #include "tether_monitor/ros/bag_replay.h"
@@ -83,6 +84,8 @@ void replay(const Arguments& arguments)
   monitor::Config config = params::loadConfigFile(arguments.config);
   if (arguments.parting)
     config = replay::preparedToPart(std::move(config), *arguments.parting);
+  for (const std::string& value : monitor::suspiciousValues(config))
+    std::cerr << "warning: suspicious: " << value << "\n";
   monitor::TetherEstimator estimator(config);
   replay::ReplayOptions options;
   options.parting = arguments.parting;

@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 #include "tether_monitor/core/base/bounds_check.h"
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/replay/result_files.h"
 #include "tether_monitor/replay/steady_state_run.h"
@@ -107,8 +108,13 @@ int findSteadyState(const Arguments& arguments)
   const monitor::TetherEstimate& estimate = steady.estimate;
   if (!estimate.has_stations || !steady.report.converged())
   {
-    std::cerr << "tether_steady: no steady state: " << core::describe(steady.report.status) << ", residual "
-              << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";
+    if (steady.report.converged())
+      std::cerr << "tether_steady: no steady state that a tether can have: " << describe(estimate.reason) << "\n";
+    else
+      std::cerr << "tether_steady: no steady state: " << core::describe(steady.report.status) << ", residual "
+                << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";
+    for (const std::string& value : monitor::suspiciousValues(config))
+      std::cerr << "suspicious: " << value << "\n";
     return NO_STEADY_STATE;
   }
   replay::EndsFile ends(arguments.out, replay::VehicleColumns::RELATIVE);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tether_monitor/core/cable/winch_drum.h"
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/ros/alarm_text.h"
 #include "tether_monitor/ros/input_topics.h"
 
@@ -66,6 +67,9 @@ void diagnoseReasons(const monitor::TetherEstimator& estimator, const Diagnostic
     if (reason != e.reason && e.reasons.has(reason))
       status.add(std::string("Also ") + describe(reason), adviceOn(reason, inputs));
   }
+  if (e.reasons.has(monitor::Reason::NOT_CONVERGED) || e.reasons.has(monitor::Reason::OUT_OF_RANGE))
+    for (const std::string& value : monitor::suspiciousValues(estimator.config()))
+      status.add("Suspicious", value);
   using monitor::Implausibility;
   using monitor::Subject;
   for (int s = 0; s < static_cast<int>(Subject::COUNT); ++s)

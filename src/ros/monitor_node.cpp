@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/ros/input_topics.h"
 #include "tether_monitor/ros/markers.h"
@@ -67,6 +68,8 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                                              updateSurroundings();
                                              updater_.force_update();
                                            });
+  for (const std::string& value : monitor::suspiciousValues(config))
+    ROS_WARN("suspicious: %s", value.c_str());
   const std::string elements =
       config.accuracy ? "as many elements as it needs" : std::to_string(config.elements) + " elements";
   ROS_INFO("%s watches a tether of %g m in %s at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),

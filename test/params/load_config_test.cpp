@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/config_trees.h"
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/yaml_file.h"
 
 namespace tether_monitor::params
@@ -236,6 +237,7 @@ TEST(LoadConfig, EveryShippedConfigurationLoads)
     ++files;
     const Value whole = readYamlFile(entry.path());
     EXPECT_NO_THROW(loadConfig(whole, entry.path())) << entry.path();
+    EXPECT_TRUE(monitor::suspiciousValues(loadConfig(whole, entry.path())).empty()) << entry.path();
     if (whole.get<Value::Map>()->count("simulation") > 0)
     {
       EXPECT_NO_THROW(loadSimulation(whole, entry.path())) << entry.path();

@@ -53,11 +53,17 @@ Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasure
   if (pose)
   {
     const MeasuredVector position = attachmentPosition(*pose);
+    if (pose->position.isComplete() && pose->t > track_.lastPoseTime())
+      plausibility_.watch(pose->t, pose->position.value(), track_);
     track_.addPose(pose->t, pose->position.value(), orientationOf(pose));
     filter_.addPosition(pose->t, position);
   }
   if (twist)
   {
+    if (twist->velocity.isComplete())
+      plausibility_.compareVelocity(twist->t, twist->velocity.value(), track_.lastOrientation(), track_);
+    if (!plausibility_.trustsVelocity())
+      return Rejection::NONE;
     track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
     filter_.addVelocity(twist->t, attachmentVelocity(*twist, track_.lastOrientation()));
   }
@@ -73,6 +79,7 @@ void FilteredVesselEnd::clear()
 {
   track_.clear();
   filter_.clear();
+  plausibility_.clear();
 }
 
 void FilteredVesselEnd::aim(double t, EndTargets& targets)

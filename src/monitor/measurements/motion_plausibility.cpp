@@ -95,6 +95,14 @@ MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vect
   return verdict;
 }
 
+void MotionPlausibility::watch(double t, const core::Vector3& position, const MotionBuffer& track)
+{
+  if (track.hasPose() && t - track.lastPoseTime() < LONGEST_PREDICTION)
+    watchRepeats(t, position, track);
+  for (int i = 0; i < 3; ++i)
+    noise_[i].add(t, position[i]);
+}
+
 void MotionPlausibility::compareVelocity(double t, const core::Vector3& velocity,
                                          const Eigen::Quaterniond& orientation, const MotionBuffer& track)
 {

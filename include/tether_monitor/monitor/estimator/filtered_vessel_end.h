@@ -21,11 +21,12 @@ class FilteredVesselEnd final : public VesselEnd
   /// A steady state has no waves: it begins on the vessel's track and fades into its motion.
   void aimAtStart(double t, EndTargets& targets) override;
   const MotionBuffer& track() const override { return track_; }
+  const MotionPlausibility* plausibility() const override { return &plausibility_; }
   long outliers() const override { return filter_.outliers(); }
   const VesselMotionFilter& filter() const { return filter_; }
   bool isValid() const override { return track_.isValid() && filter_.isValid(); }
-  void write(core::BinaryWriter& archive) const override { archive(track_, filter_); }
-  void read(core::BinaryReader& archive) override { archive(track_, filter_); }
+  void write(core::BinaryWriter& archive) const override { archive(track_, filter_, plausibility_); }
+  void read(core::BinaryReader& archive) override { archive(track_, filter_, plausibility_); }
 
  private:
   MeasuredVector attachmentPosition(const PoseMeasurement& pose) const;
@@ -36,6 +37,7 @@ class FilteredVesselEnd final : public VesselEnd
   BodyConfig body_;
   MotionBuffer track_;
   VesselMotionFilter filter_;
+  MotionPlausibility plausibility_;  // leaps are the filter's
 };
 
 }  // namespace tether_monitor::monitor

@@ -35,6 +35,9 @@ class MotionPlausibility
    * @param track  of the positions that were good.
    */
   Verdict check(double t, const core::Vector3& position, const MotionBuffer& track);
+  /// Looks at a position that something else has checked for leaps: whether it repeats, and how much it scatters.
+  /// Before it goes into the track.
+  void watch(double t, const core::Vector3& position, const MotionBuffer& track);
   /**
    * Holds the velocity that was measured against the positions.
    *

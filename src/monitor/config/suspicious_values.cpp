@@ -1,0 +1,66 @@
+#include "tether_monitor/monitor/config/suspicious_values.h"
+
+#include <algorithm>
+
+#include "tether_monitor/core/base/bounds_check.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+using core::formatNumber;
+
+constexpr double THICKEST = 0.5;                                      // [m]
+constexpr double LIGHTEST = 150.0, HEAVIEST = 20000.0;                // [kg/m^3]
+constexpr double SOFTEST = 1e5, STIFFEST = 5e11;                      // EA over the section [Pa]
+constexpr double FASTEST_WATER = 5.0;                                 // [m/s]
+constexpr double MOST_DRAG_NORMAL = 5.0, MOST_DRAG_TANGENTIAL = 2.0;  // [-]
+constexpr double LIGHTEST_BODY = 50.0, HEAVIEST_BODY = 12000.0;       // [kg/m^3]
+
+void checkProperties(const std::string& prefix, const core::CableProperties& p, std::vector<std::string>& found)
+{
+  const double density = p.mass_per_length / p.displacedArea();
+  if (p.diameter > THICKEST)
+    found.push_back(prefix + "diameter = " + formatNumber(p.diameter) + " m: is it in mm?");
+  else if (density < LIGHTEST || density > HEAVIEST)
+    found.push_back(prefix + "diameter = " + formatNumber(p.diameter) +
+                    " m and mass_per_length = " + formatNumber(p.mass_per_length) + " kg/m make a density of " +
+                    formatNumber(density) + " kg/m^3: is the mass per km, or the diameter in another unit?");
+  const double modulus = p.axial_stiffness / p.displacedArea();
+  if (p.diameter <= THICKEST && (modulus < SOFTEST || modulus > STIFFEST))
+    found.push_back(prefix + "axial_stiffness = " + formatNumber(p.axial_stiffness) +
+                    " N is that of a material of " + formatNumber(modulus) + " Pa: is it in kN?");
+  else if (p.axial_stiffness + p.axial_stiffening.largestModulus() < p.breaking_load)
+    found.push_back(prefix + "axial_stiffness = " + formatNumber(p.axial_stiffness) +
+                    " N is less than breaking_load = " + formatNumber(p.breaking_load) +
+                    " N, so it doubles its length before it breaks: is one of them in kN?");
+  if (p.drag_normal > MOST_DRAG_NORMAL)
+    found.push_back(prefix + "drag_normal = " + formatNumber(p.drag_normal) + ": a coefficient is near 1");
+  if (p.drag_tangential > MOST_DRAG_TANGENTIAL)
+    found.push_back(prefix + "drag_tangential = " + formatNumber(p.drag_tangential) +
+                    ": a coefficient is below 0.2");
+}
+}  // namespace
+
+std::vector<std::string> suspiciousValues(const Config& config)
+{
+  std::vector<std::string> found;
+  checkProperties("tether.", config.tether, found);
+  for (std::size_t i = 0; i < config.layout.sections.size(); ++i)
+    checkProperties("tether.sections[" + std::to_string(i) + "].", config.layout.sections[i].properties, found);
+  for (const core::CurrentProfile::Sample& sample : config.environment.current.samples())
+    if (sample.velocity.norm() > FASTEST_WATER)
+      found.push_back("environment.current: " + formatNumber(sample.velocity.norm()) + " m/s at a depth of " +
+                      formatNumber(sample.depth) + " m: is it in cm/s?");
+  if (config.vehicle_mode != VehicleMode::TRACKED && config.vehicle_body.volume > 0.0)
+  {
+    const double density = config.vehicle_body.mass / config.vehicle_body.volume;
+    if (density < LIGHTEST_BODY || density > HEAVIEST_BODY)
+      found.push_back("vehicle.mass = " + formatNumber(config.vehicle_body.mass) + " kg and vehicle.volume = " +
+                      formatNumber(config.vehicle_body.volume) + " m^3 make a density of " +
+                      formatNumber(density) + " kg/m^3: is one of them in another unit?");
+  }
+  return found;
+}
+
+}  // namespace tether_monitor::monitor

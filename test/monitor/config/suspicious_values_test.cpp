@@ -1,0 +1,39 @@
+#include "tether_monitor/monitor/config/suspicious_values.h"
+
+#include <gtest/gtest.h>
+
+#include "support/estimator_fixture.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+template <typename Slip>
+std::string findingAfter(const Slip& slip)
+{
+  Config config = testConfig();
+  config.vehicle_mode = VehicleMode::FREE;
+  config.vehicle_body = smallVehicle();
+  slip(config);
+  const std::vector<std::string> found = suspiciousValues(config);
+  return found.empty() ? "" : found.front();
+}
+}  // namespace
+
+TEST(SuspiciousValues, ASlipOfAUnitIsNamed)
+{
+  EXPECT_EQ(findingAfter([](Config&) {}), "");
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.diameter *= 1000.0; }).find("in mm?"), std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.mass_per_length *= 1000.0; }).find("per km"), std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.axial_stiffness /= 1000.0; }).find("in kN?"), std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.axial_stiffness *= 1e6; }).find("Pa"), std::string::npos);
+  EXPECT_NE(
+      findingAfter([](Config& c) { c.environment.current = core::CurrentProfile(core::Vector3(50.0, 0.0, 0.0)); })
+          .find("in cm/s?"),
+      std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.vehicle_body.volume *= 1000.0; }).find("vehicle.volume"),
+            std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.drag_normal = 12.0; }).find("drag_normal"), std::string::npos);
+}
+
+}  // namespace tether_monitor::monitor
