@@ -17,7 +17,9 @@ bool Alarm::update(double t, double value, double s)
   s_ = s;
   if (std::isnan(value))
   {
-    pending_since_.reset();
+    // The safe side: what was past the limit may be so still, what was back may not.
+    if (isActive())
+      pending_since_.reset();
     return false;
   }
   const double sign = definition_.side == Side::ABOVE ? 1.0 : -1.0;

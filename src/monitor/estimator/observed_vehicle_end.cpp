@@ -16,6 +16,7 @@ double largestTensionStddev(const TetherEstimate& e)
 
 ObservedVehicleEnd::ObservedVehicleEnd(const Config& config)
   : attachment_(config.vehicle.attachment),
+    least_stddev_(config.vehicle.least_stddev),
     navigation_(config.navigation),
     pose_timeout_(config.pose_timeout),
     invalid_timeout_(config.invalid_timeout),
@@ -27,7 +28,7 @@ ObservedVehicleEnd::ObservedVehicleEnd(const Config& config)
 VehicleMeasurement ObservedVehicleEnd::positionFix(const PoseMeasurement& pose) const
 {
   return {pose.t - navigation_.latency, VehicleMeasurement::Kind::POSITION,
-          pose.position.withDefaultStddev(navigation_.position_stddev)};
+          pose.position.withDefaultStddev(navigation_.position_stddev).withLeastStddev(least_stddev_)};
 }
 
 VehicleMeasurement ObservedVehicleEnd::velocityFix(const TwistMeasurement& twist) const
@@ -74,8 +75,9 @@ Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasur
   return Rejection::NONE;
 }
 
-void ObservedVehicleEnd::setThrust(double /*t*/, const core::Wrench& thrust)
+void ObservedVehicleEnd::setThrust(double t, const core::Wrench& thrust)
 {
+  thrust_time_ = t;
   thrust_ = thrust;
 }
 
@@ -84,6 +86,7 @@ void ObservedVehicleEnd::clear()
   track_.clear();
   observer_.clear();
   thrust_ = core::Wrench();
+  thrust_time_.reset();
 }
 
 double ObservedVehicleEnd::overdue(double age) const
@@ -160,7 +163,8 @@ Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
     return Reason::OUT_OF_RANGE;
   if (observer_.isInconsistent(e.time))
     return Reason::DISAGREEMENT;
-  if (observer_.overdueTime(observer_.age(e.time)) > pose_timeout_)
+  const bool thrust_is_late = thrust_time_ && e.time - *thrust_time_ > pose_timeout_;
+  if (thrust_is_late || observer_.overdueTime(observer_.age(e.time)) > pose_timeout_)
     return Reason::VEHICLE_STALE;
   return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
 }

@@ -37,7 +37,8 @@ class Alarm
   /**
    * Evaluates the value at time t [s].
    *
-   * @param value  in the unit of the limit; NaN: unknown, nothing changes and both delays start again.
+   * @param value  in the unit of the limit; NaN: unknown, nothing changes; the on-delay goes on, the off-delay
+   * starts again.
    * @param s      where along the tether [m]; NaN if nowhere.
    * @return       true if the state changed.
    */

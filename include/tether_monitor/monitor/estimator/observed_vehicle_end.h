@@ -46,8 +46,8 @@ class ObservedVehicleEnd final : public VehicleEnd
   const MotionBuffer& track() const override { return track_; }
   const VehicleObserver* observer() const override { return &observer_; }
   bool isValid(const core::CableModel& model) const override;
-  void write(core::BinaryWriter& archive) const override { archive(track_, observer_, thrust_); }
-  void read(core::BinaryReader& archive) override { archive(track_, observer_, thrust_); }
+  void write(core::BinaryWriter& archive) const override { archive(track_, observer_, thrust_, thrust_time_); }
+  void read(core::BinaryReader& archive) override { archive(track_, observer_, thrust_, thrust_time_); }
   void prepare(const core::CableModel& model) override { observer_.prepare(model); }
 
  private:
@@ -57,6 +57,8 @@ class ObservedVehicleEnd final : public VehicleEnd
   core::Vector3 thrustInWorld() const { return track_.lastOrientation() * thrust_.force; }
 
   core::Vector3 attachment_;
+  double least_stddev_;                // of positions [m]
+  std::optional<double> thrust_time_;  // [s]
   NavigationConfig navigation_;
   double pose_timeout_, invalid_timeout_;  // [s]
   double working_load_;                    // [N]
