@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -50,10 +51,22 @@ TEST(InputTopics, StandInTheReadmeWithTheirTypes)
 
 TEST(InputTopics, AreRecordedByTheSimulation)
 {
-  std::istringstream launch(textOf("launch/sim.launch"));
-  const std::set<std::string> words{std::istream_iterator<std::string>(launch), {}};
+  // Absolute names, which tether_replay --ns finds.
+  const std::string launch = std::regex_replace(textOf("launch/sim.launch"), std::regex("\\s+|\""), " ");
   for (const InputTopic& topic : inputTopics())
-    EXPECT_EQ(words.count(topic.name), 1u) << topic.name;
+    EXPECT_NE(launch.find(" /$(arg ns)/" + topic.name + " "), std::string::npos) << topic.name;
+}
+
+TEST(InputTopics, EachHasALaunchArgument)
+{
+  const std::string launch = textOf("launch/tether_monitor.launch");
+  for (const InputTopic& topic : inputTopics())
+  {
+    std::string argument = topic.name;
+    std::replace(argument.begin(), argument.end(), '/', '_');
+    EXPECT_NE(launch.find("<remap from=\"" + topic.name + "\""), std::string::npos) << topic.name;
+    EXPECT_NE(launch.find("to=\"$(arg " + argument + ")\""), std::string::npos) << topic.name;
+  }
 }
 
 }  // namespace tether_monitor
