@@ -95,6 +95,7 @@ set(test_files
   test/monitor/measurements/motion_plausibility_test.cpp
   test/monitor/measurements/noise_estimator_test.cpp
   test/monitor/measurements/payout_plausibility_test.cpp
+  test/monitor/measurements/thrust_buffer_test.cpp
   test/monitor/vessel/position_window_test.cpp
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp

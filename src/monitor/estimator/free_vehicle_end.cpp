@@ -9,20 +9,18 @@ namespace tether_monitor::monitor
 {
 void FreeVehicleEnd::setThrust(double t, const core::Wrench& thrust)
 {
-  thrust_time_ = t;
-  thrust_ = thrust;
+  thrust_.add(t, thrust);
 }
 
 void FreeVehicleEnd::clear()
 {
   body_.clear();
-  thrust_ = core::Wrench();
-  thrust_time_.reset();
+  thrust_.clear();
 }
 
 double FreeVehicleEnd::age(double t, bool /*running*/) const
 {
-  return thrust_time_ ? std::max(t - *thrust_time_, 0.0) : 0.0;
+  return thrust_.age(t).value_or(0.0);
 }
 
 core::SolveReport FreeVehicleEnd::findStart(CableSimulation& simulation, const core::SteadyEnds& ends,
@@ -36,14 +34,14 @@ core::CableModel FreeVehicleEnd::modelAtRest(const core::CableModel& model,
                                              const VehicleInitialization& /*start*/) const
 {
   core::EndBodies bodies = model.bodies();
-  bodies.vehicle->force += thrust_.force;
+  bodies.vehicle->force += thrust_.latest().force;
   return model.withBodies(bodies);
 }
 
 core::SolveReport FreeVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& /*targets*/, double t,
                                           CableSimulation& simulation)
 {
-  paths.vehicle_thrust = thrust_;
+  paths.vehicle_thrust = thrust_.at(t);
   return simulation.stepper.advance(simulation.model, paths, t, simulation.state);
 }
 

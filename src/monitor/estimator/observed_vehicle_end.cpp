@@ -77,16 +77,14 @@ Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasur
 
 void ObservedVehicleEnd::setThrust(double t, const core::Wrench& thrust)
 {
-  thrust_time_ = t;
-  thrust_ = thrust;
+  thrust_.add(t, thrust);
 }
 
 void ObservedVehicleEnd::clear()
 {
   track_.clear();
   observer_.clear();
-  thrust_ = core::Wrench();
-  thrust_time_.reset();
+  thrust_.clear();
 }
 
 double ObservedVehicleEnd::overdue(double age) const
@@ -130,7 +128,7 @@ void ObservedVehicleEnd::begin(const VehicleInitialization& start, const EndTarg
 core::SolveReport ObservedVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                                               CableSimulation& simulation)
 {
-  paths.vehicle_thrust = thrust_;
+  paths.vehicle_thrust = thrust_.at(t);
   return observer_.advance(simulation.model, simulation.stepper, paths, targets.vessel_stddev,
                            targets.vessel_error_rate, t, simulation.state);
 }
@@ -163,7 +161,7 @@ Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
     return Reason::OUT_OF_RANGE;
   if (observer_.isInconsistent(e.time))
     return Reason::DISAGREEMENT;
-  const bool thrust_is_late = thrust_time_ && e.time - *thrust_time_ > pose_timeout_;
+  const bool thrust_is_late = thrust_.age(e.time).value_or(0.0) > pose_timeout_;
   if (thrust_is_late || observer_.overdueTime(observer_.age(e.time)) > pose_timeout_)
     return Reason::VEHICLE_STALE;
   return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;

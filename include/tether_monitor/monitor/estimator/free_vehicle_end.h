@@ -2,6 +2,7 @@
 
 #include "tether_monitor/monitor/estimator/tracked_body.h"
 #include "tether_monitor/monitor/estimator/vehicle_end.h"
+#include "tether_monitor/monitor/measurements/thrust_buffer.h"
 
 namespace tether_monitor::monitor
 {
@@ -32,14 +33,13 @@ class FreeVehicleEnd final : public VehicleEnd
                             CableSimulation& simulation) override;
   void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;
   const MotionBuffer& track() const override { return body_.track(); }
-  bool isValid(const core::CableModel& /*model*/) const override { return track().isValid(); }
-  void write(core::BinaryWriter& archive) const override { archive(body_, thrust_, thrust_time_); }
-  void read(core::BinaryReader& archive) override { archive(body_, thrust_, thrust_time_); }
+  bool isValid(const core::CableModel& /*model*/) const override { return track().isValid() && thrust_.isValid(); }
+  void write(core::BinaryWriter& archive) const override { archive(body_, thrust_); }
+  void read(core::BinaryReader& archive) override { archive(body_, thrust_); }
 
  private:
   TrackedBody body_;
-  core::Wrench thrust_;
-  std::optional<double> thrust_time_;  // [s]
+  ThrustBuffer thrust_;
 };
 
 }  // namespace tether_monitor::monitor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/monitor/estimator/vehicle_end.h"
+#include "tether_monitor/monitor/measurements/thrust_buffer.h"
 #include "tether_monitor/monitor/vehicle/vehicle_observer.h"
 
 namespace tether_monitor::monitor
@@ -46,25 +47,24 @@ class ObservedVehicleEnd final : public VehicleEnd
   const MotionBuffer& track() const override { return track_; }
   const VehicleObserver* observer() const override { return &observer_; }
   bool isValid(const core::CableModel& model) const override;
-  void write(core::BinaryWriter& archive) const override { archive(track_, observer_, thrust_, thrust_time_); }
-  void read(core::BinaryReader& archive) override { archive(track_, observer_, thrust_, thrust_time_); }
+  void write(core::BinaryWriter& archive) const override { archive(track_, observer_, thrust_); }
+  void read(core::BinaryReader& archive) override { archive(track_, observer_, thrust_); }
   void prepare(const core::CableModel& model) override { observer_.prepare(model); }
 
  private:
   VehicleMeasurement positionFix(const PoseMeasurement& pose) const;
   VehicleMeasurement velocityFix(const TwistMeasurement& twist) const;
   Rejection check(const PoseMeasurement* pose, const TwistMeasurement* twist) const;
-  core::Vector3 thrustInWorld() const { return track_.lastOrientation() * thrust_.force; }
+  core::Vector3 thrustInWorld() const { return track_.lastOrientation() * thrust_.latest().force; }
 
   core::Vector3 attachment_;
-  double least_stddev_;                // of positions [m]
-  std::optional<double> thrust_time_;  // [s]
+  double least_stddev_;  // of positions [m]
   NavigationConfig navigation_;
   double pose_timeout_, invalid_timeout_;  // [s]
   double working_load_;                    // [N]
   MotionBuffer track_;
   VehicleObserver observer_;
-  core::Wrench thrust_;
+  ThrustBuffer thrust_;
 };
 
 }  // namespace tether_monitor::monitor
