@@ -355,7 +355,8 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   {
     for (int part = i == 0 ? parts : 1; part <= parts; ++part)
     {
-      const double t = begin + (i - 1 + static_cast<double>(part) / parts) / rate;
+      // To the nanosecond, as stamps are: a measurement of this very time counts.
+      const double t = base.seconds(base.stamp(begin + (i - 1 + static_cast<double>(part) / parts) / rate));
       acceptUntil(t, base, estimator, recording, adapter);
       recorder.startTimer();
       if (i == 0 && !as_it_arrived)

@@ -24,6 +24,7 @@ constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes ta
 constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
 constexpr double SHORTEST_RESET_INTERVAL = 1.0;  // [s], wall clock: a start takes some time
 constexpr int TRANSFORM_QUEUE = 100;
+constexpr std::size_t MOST_EARLY = 2000;
 constexpr int OUTPUT_QUEUE = 10;
 }  // namespace
 
@@ -125,9 +126,33 @@ void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
           {
             ensureTimeBase(now);
             noteStatistics(topic, message, now);
-            if (const std::optional<InputError> error = message.accept(adapter_, now))
-              noteRefusal(topic.name, *error);
+            const double ahead = message.stamp ? secondsBetween(*message.stamp, now) : 0.0;
+            const bool waits = estimator_.vehicle().acceptsLateMeasurements() && ahead > 0.0 &&
+                               ahead <= mostOf(Field::FUTURE) && early_.size() < MOST_EARLY;
+            if (waits)
+              early_.push_back({&topic, message});
+            else
+              accept(topic, message, now);
           });
+}
+
+void MonitorNode::accept(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
+{
+  if (const std::optional<InputError> error = message.accept(adapter_, now))
+    noteRefusal(topic.name, *error);
+}
+
+// In order of their stamps, as a replay has them.
+void MonitorNode::acceptEarly(const ros::Time& now)
+{
+  const auto isDue = [&](const EarlyMessage& early) { return *early.message.stamp <= now; };
+  const auto later = std::stable_partition(early_.begin(), early_.end(), isDue);
+  std::stable_sort(early_.begin(), later,
+                   [](const EarlyMessage& a, const EarlyMessage& b)
+                   { return *a.message.stamp < *b.message.stamp; });
+  for (auto early = early_.begin(); early != later; ++early)
+    guarded(early->topic->name, [&] { accept(*early->topic, early->message, now); });
+  early_.erase(early_.begin(), later);
 }
 
 void MonitorNode::noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
@@ -175,6 +200,7 @@ void MonitorNode::tick()
 void MonitorNode::step(const ros::Time& now)
 {
   ensureTimeBase(now);
+  acceptEarly(now);
   const ros::WallTime began = ros::WallTime::now();
   const monitor::Status before = estimator_.estimate().status;
   const monitor::Reason reason_before = estimator_.estimate().reason;
@@ -182,6 +208,7 @@ void MonitorNode::step(const ros::Time& now)
   if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_tick_)
   {
     transforms_.clear();
+    early_.clear();
     diagnostic_inputs_.statistics.clear();
     last_alarms_ = ros::Time();
   }

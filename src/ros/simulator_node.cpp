@@ -20,6 +20,7 @@ namespace tether_monitor
 {
 namespace
 {
+constexpr double CONNECTING = 1.0;  // [s], wall clock: what is published before all have connected is lost to some
 constexpr int QUEUE = 20;
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
 
@@ -112,6 +113,12 @@ void SimulatorNode::tick()
 {
   if (!running_)
     return;
+  if ((ros::WallTime::now() - made_at_).toSec() < CONNECTING)
+  {
+    if (plan_.clock)
+      publishClock();
+    return;
+  }
   if (!started_)
   {
     const ros::Time now = ros::Time::now();
@@ -133,12 +140,15 @@ void SimulatorNode::tick()
     publishMeasurements(time_ + period_);
   }
   if (plan_.clock)
-  {
-    rosgraph_msgs::Clock clock;
-    clock.clock = stamp(time_);
-    clock_.publish(clock);
-  }
+    publishClock();
   publishTruth();
+}
+
+void SimulatorNode::publishClock()
+{
+  rosgraph_msgs::Clock clock;
+  clock.clock = stamp(time_);
+  clock_.publish(clock);
 }
 
 void SimulatorNode::publishMeasurements(double t)

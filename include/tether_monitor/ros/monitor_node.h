@@ -38,6 +38,8 @@ class MonitorNode
  private:
   void subscribeToTransforms(const std::string& topic, bool is_static);
   void receive(const InputTopic& topic, const InputMessage& message);
+  void accept(const InputTopic& topic, const InputMessage& message, const ros::Time& now);
+  void acceptEarly(const ros::Time& now);
   void noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now);
   template <typename Work>
   bool guarded(const std::string& what, const Work& work);
@@ -67,6 +69,12 @@ class MonitorNode
   diagnostic_updater::Updater updater_;
   MasterWatch master_watch_;
 
+  struct EarlyMessage
+  {
+    const InputTopic* topic;
+    InputMessage message;
+  };
+  std::vector<EarlyMessage> early_;  // stamped ahead of the clock; in mode observed they wait for their time
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher state_pub_, vessel_force_pub_, vehicle_force_pub_, over_tension_pub_, alarms_pub_, markers_pub_;
   ros::Publisher vehicle_pub_, contacts_pub_;

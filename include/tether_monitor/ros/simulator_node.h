@@ -45,6 +45,7 @@ class SimulatorNode
   void publishHeave(double t);
   void publishWinch(double t);
   void publishObstacles(double t);
+  void publishClock();
   void publishTruth();
   ros::Time stamp(double t) const { return start_ + ros::Duration(t); }
 
@@ -68,6 +69,7 @@ class SimulatorNode
   double next_payout_ = 0.0, next_obstacles_ = 0.0;
   bool started_ = false;
   bool running_ = true;
+  ros::WallTime made_at_ = ros::WallTime::now();
 };
 
 }  // namespace tether_monitor
