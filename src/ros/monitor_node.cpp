@@ -126,6 +126,7 @@ void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
           {
             ensureTimeBase(now);
             noteStatistics(topic, message, now);
+            acceptEarly(now);
             const double ahead = message.stamp ? secondsBetween(*message.stamp, now) : 0.0;
             const bool waits = estimator_.vehicle().acceptsLateMeasurements() && ahead > 0.0 &&
                                ahead <= mostOf(Field::FUTURE) && early_.size() < MOST_EARLY;

@@ -11,7 +11,7 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr double FARTHEST_AHEAD = 10.0;       // [s]
+constexpr double FARTHEST_AHEAD = 1.0;        // [s]
 constexpr std::uint32_t LATEST = 4294960000;  // [s]: tf2 adds its memory to a stamp
 
 std::optional<InputError> check(const geometry_msgs::TransformStamped& transform, bool is_static,

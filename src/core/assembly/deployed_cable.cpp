@@ -169,6 +169,14 @@ void DeployedCable::passToAssembler(int i)
     joined_.set(i, e);
 }
 
+int DeployedCable::elementAt(double s) const
+{
+  int i = 0;
+  while (i + 1 < elements() && arc_length_[i + 1] <= s + 1e-9 * length())
+    ++i;
+  return i;
+}
+
 void DeployedCable::updateScales()
 {
   mass_ = largest_stiffness_ = 0.0;

@@ -50,6 +50,16 @@ bool Alarm::update(double t, double value, double s)
   return true;
 }
 
+bool Alarm::release(double t)
+{
+  pending_since_.reset();
+  if (!isActive())
+    return false;
+  const bool latches = state_ == AlarmState::UNACKNOWLEDGED && definition_.timing.latch;
+  enter(latches ? AlarmState::RETURNED_UNACKNOWLEDGED : AlarmState::NORMAL, t);
+  return true;
+}
+
 bool Alarm::acknowledge(double t)
 {
   if (state_ == AlarmState::UNACKNOWLEDGED)

@@ -36,6 +36,12 @@ AlarmSet::AlarmSet(const Config& config)
 bool AlarmSet::update(const TetherEstimate& e)
 {
   bool changed = false;
+  if (e.is_stowed)
+  {
+    for (Alarm& alarm : alarms_)
+      changed = alarm.release(e.time) || changed;
+    return changed;
+  }
   const double upper = upperBound(e);
   for (std::size_t i = 0; i < alarms_.size(); ++i)
   {

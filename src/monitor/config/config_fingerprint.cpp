@@ -14,6 +14,7 @@ void add(const core::CableProperties& p, BinaryWriter& to)
      p.drag_normal, p.drag_tangential, p.added_mass_normal, p.added_mass_tangential, p.contact_diameter,
      p.hydrostatic_compression, p.permanent_elongation, p.working_load, p.breaking_load, p.load_area,
      p.min_bend_radius);
+  to(p.axial_stiffening.count);
   for (int k = 0; k < p.axial_stiffening.count; ++k)
     to(p.axial_stiffening.strain[k], p.axial_stiffening.change[k]);
 }
@@ -74,7 +75,8 @@ std::uint64_t fingerprint(const Config& config)
   if (c.vehicle_mode == VehicleMode::OBSERVED)
   {
     add(c.navigation, to);
-    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev, c.invalid_timeout);
+    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev, c.vehicle.least_stddev,
+       c.invalid_timeout);
   }
   else
   {

@@ -63,10 +63,12 @@ std::vector<std::string> EstimationCycle::setObstacles(double t, const std::vect
 
 bool EstimationCycle::addPayout(double t, double length, double rate)
 {
-  if (length >= 0.0 && length < LEAST_DEPLOYED && !(t < stowed_at_.value_or(t)))
+  if (stowed_at_ && !(t > *stowed_at_))
+    return false;
+  if (length >= 0.0 && length < LEAST_DEPLOYED)
   {
-    if (!stowed_at_)
-      payout_.clear();
+    if (!payout_.addStowed(t, rate))
+      return false;
     stowed_at_ = t;
     return true;
   }
@@ -193,6 +195,8 @@ const TetherEstimate& EstimationCycle::tick(double t)
   }
   if (t < retry_start_at_)
     return refuse(t, estimate_.reason == Reason::OUT_OF_RANGE ? Reason::OUT_OF_RANGE : Reason::NOT_CONVERGED);
+  if (simulation_.state.deployment.parted_element)
+    return refuse(t, Reason::NOT_CONVERGED);
   return starts_in_background_ ? startInBackground(t) : begin(t, targetsAt(t));
 }
 
@@ -200,11 +204,7 @@ bool EstimationCycle::part(double s)
 {
   if (!isRunning() || !(s > 0.0 && s < simulation_.length()))
     return false;
-  const core::DeployedCable& cable = simulation_.updatedCable();
-  int i = 0;
-  while (i + 1 < cable.elements() && cable.arcLength(i + 1) <= s + 1e-9 * cable.length())
-    ++i;
-  simulation_.state.deployment.parted_element = i;
+  simulation_.state.deployment.parted_element = simulation_.updatedCable().elementAt(s);
   simulation_.stepper.expectShock(simulation_.state);
   return true;
 }

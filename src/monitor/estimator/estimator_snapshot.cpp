@@ -94,7 +94,7 @@ bool fits(const TetherEstimate& e, const core::CableModel& model)
     if (values->size() != stations)
       return false;
   return f.position.size() == stations && e.contact.obstacles.size() == model.environment().obstacles().size() &&
-         e.status >= Status::OK && e.status <= Status::INVALID && std::string(describe(e.reason)) != "UNKNOWN";
+         e.status >= Status::OK && e.status <= Status::STOWED && std::string(describe(e.reason)) != "UNKNOWN";
 }
 
 void setModel(const core::CableModel& model, const ModelChanges& changes, CableSimulation& simulation)

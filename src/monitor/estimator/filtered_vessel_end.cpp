@@ -53,19 +53,24 @@ Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasure
   if (pose)
   {
     const MeasuredVector position = attachmentPosition(*pose);
-    if (pose->position.isComplete() && pose->t > track_.lastPoseTime())
-      plausibility_.watch(pose->t, pose->position.value(), track_);
+    if (pose->position.isComplete() && pose->t > whole_.lastPoseTime())
+    {
+      plausibility_.watch(pose->t, pose->position.value(), whole_);
+      whole_.addPose(pose->t, pose->position.value(), orientationOf(pose));
+    }
     track_.addPose(pose->t, pose->position.value(), orientationOf(pose));
     filter_.addPosition(pose->t, position);
   }
   if (twist)
   {
-    if (twist->velocity.isComplete())
-      plausibility_.compareVelocity(twist->t, twist->velocity.value(), track_.lastOrientation(), track_);
+    const MeasuredVector velocity = attachmentVelocity(*twist, track_.lastOrientation());
+    if (velocity.isComplete() && filter_.hasPosition())
+      plausibility_.compareVelocity(twist->t, filter_.at(twist->t).end.position, velocity.value(),
+                                    track_.lastOrientation());
     if (!plausibility_.trustsVelocity())
       return Rejection::NONE;
     track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
-    filter_.addVelocity(twist->t, attachmentVelocity(*twist, track_.lastOrientation()));
+    filter_.addVelocity(twist->t, velocity);
   }
   return Rejection::NONE;
 }
@@ -78,6 +83,7 @@ void FilteredVesselEnd::setInitialMotion(double t, const BodyState& vessel)
 void FilteredVesselEnd::clear()
 {
   track_.clear();
+  whole_.clear();
   filter_.clear();
   plausibility_.clear();
 }

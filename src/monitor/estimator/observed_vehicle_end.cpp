@@ -169,7 +169,7 @@ Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
 
 bool ObservedVehicleEnd::isValid(const core::CableModel& model) const
 {
-  return track_.isValid() && observer_.isValid(model);
+  return track_.isValid() && thrust_.isValid() && observer_.isValid(model);
 }
 
 }  // namespace tether_monitor::monitor

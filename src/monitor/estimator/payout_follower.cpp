@@ -26,6 +26,14 @@ bool PayoutFollower::add(double t, double length, double rate, bool can_deploy)
   return buffer_.add(t, length, plausibility_.trustsRate() ? rate : std::numeric_limits<double>::quiet_NaN());
 }
 
+bool PayoutFollower::addStowed(double t, double rate)
+{
+  if (!buffer_.isLater(t) || plausibility_.check(t, 0.0, rate) == PayoutPlausibility::Verdict::DOUBTFUL)
+    return false;
+  buffer_.clear();
+  return true;
+}
+
 double PayoutFollower::age(double t) const
 {
   return buffer_.hasReport() ? buffer_.age(t) : std::numeric_limits<double>::quiet_NaN();

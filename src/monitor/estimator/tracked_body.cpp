@@ -40,6 +40,8 @@ bool TrackedBody::addPose(const PoseMeasurement& pose)
   const Verdict verdict = plausibility_.check(pose.t, pose.position.value(), track_);
   if (verdict == Verdict::DOUBTFUL)
     return false;
+  if (!plausibility_.trustsVelocity())
+    track_.clearRates();
   const Eigen::Quaterniond orientation = pose.orientation.value_or(track_.lastOrientation());
   if (verdict == Verdict::REACQUIRED)
   {
@@ -53,7 +55,9 @@ bool TrackedBody::addPose(const PoseMeasurement& pose)
 
 void TrackedBody::addTwist(const TwistMeasurement& twist)
 {
-  plausibility_.compareVelocity(twist.t, twist.velocity.value(), track_.lastOrientation(), track_);
+  if (track_.hasPose())
+    plausibility_.compareVelocity(twist.t, track_.at(twist.t).position, twist.velocity.value(),
+                                  track_.lastOrientation());
   if (plausibility_.trustsVelocity())
     track_.addTwist(twist.t, twist.velocity.value(), twist.angular_velocity);
   else

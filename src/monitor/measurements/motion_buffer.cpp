@@ -143,6 +143,16 @@ MotionBuffer::Slope MotionBuffer::ratesAt(std::size_t pose, double t) const
 {
   if (const std::optional<Rates> measured = measuredRates(t))
     return {measured->velocity, measured->angular_velocity};
+  return slopeAt(pose);
+}
+
+core::Vector3 MotionBuffer::extrapolatedByPoses(double t) const
+{
+  return poses_.back().position + (t - poses_.back().t) * slopeAt(poses_.size() - 1).velocity;
+}
+
+MotionBuffer::Slope MotionBuffer::slopeAt(std::size_t pose) const
+{
   if (poses_.size() < 2)
     return {core::Vector3::Zero(), core::Vector3::Zero()};
 

@@ -55,6 +55,15 @@ void MotionPlausibility::watchRepeats(double t, const core::Vector3& position, c
     note(Implausibility::FROZEN_POSITION, t);
 }
 
+// Whether a position goes on from the poses alone.
+bool MotionPlausibility::fitsPoses(double t, const core::Vector3& position, const MotionBuffer& track) const
+{
+  const double dt = t - track.lastPoseTime();
+  const double lag = 0.5 * (dt + MotionBuffer::VELOCITY_WINDOW + track.poseInterval(t));
+  const core::Vector3 off = position - track.extrapolatedByPoses(t);
+  return off.norm() < LEAST_LEAP + SCATTERS * scatter() + VERTICAL_ACCELERATION * lag * dt;
+}
+
 MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vector3& position,
                                                       const MotionBuffer& track)
 {
@@ -70,8 +79,16 @@ MotionPlausibility::Verdict MotionPlausibility::check(double t, const core::Vect
     const core::Vector3 from_leap = position - leap_position_ - (t - leap_time_) * expected.velocity;
     const bool stays_there = leap_count_ > 0 && from_leap.norm() < 0.5 * off.norm();
     const double most = tolerance(HORIZONTAL_ACCELERATION, dt, track, t);
-    if (stays_there || off.head<2>().norm() > most ||
-        std::abs(off.z()) > tolerance(VERTICAL_ACCELERATION, dt, track, t))
+    const bool is_off = stays_there || off.head<2>().norm() > most ||
+                        std::abs(off.z()) > tolerance(VERTICAL_ACCELERATION, dt, track, t);
+    if (is_off && leap_count_ == 0 && track.hasRates(t) && fitsPoses(t, position, track))
+    {
+      // The positions go on as they did: it is the velocity that has changed.
+      trusts_velocity_ = false;
+      window_.is_open = false;
+      note(Implausibility::CONTRADICTORY_VELOCITY, t);
+    }
+    else if (is_off)
     {
       const bool goes_on = stays_there || (leap_count_ > 0 &&
                                            (position - leap_position_).norm() < most + FASTEST * (t - leap_time_));
@@ -103,12 +120,9 @@ void MotionPlausibility::watch(double t, const core::Vector3& position, const Mo
     noise_[i].add(t, position[i]);
 }
 
-void MotionPlausibility::compareVelocity(double t, const core::Vector3& velocity,
-                                         const Eigen::Quaterniond& orientation, const MotionBuffer& track)
+void MotionPlausibility::compareVelocity(double t, const core::Vector3& here, const core::Vector3& velocity,
+                                         const Eigen::Quaterniond& orientation)
 {
-  if (!track.hasPose())
-    return;
-  const core::Vector3 here = track.at(t).position;
   if (!window_.is_open || !(t > window_.t) || t - window_.t > LONGEST_STEP)
   {
     window_ = Window();

@@ -194,6 +194,43 @@ TEST(InputFaults, NoTetherOutIsNoDanger)
   EXPECT_FALSE(site.estimator.estimate().is_stowed);
 }
 
+TEST(InputFaults, OneReportOfNoLengthStowsNoTether)
+{
+  EstimatorFixture site;
+  for (int i = 0; i < 20; ++i)
+  {
+    site.estimator.addPayout(site.t, 100.0, 0.0);
+    site.run(0.1);
+  }
+  ASSERT_EQ(site.estimator.estimate().status, Status::OK) << "precondition";
+  EXPECT_FALSE(site.estimator.addPayout(site.t, 0.0, 0.0));
+  site.run(0.1);
+  EXPECT_FALSE(site.estimator.estimate().is_stowed);
+  for (int i = 0; i < 4; ++i)
+  {
+    site.estimator.addPayout(site.t, 0.0, 0.0);
+    site.run(0.1);
+  }
+  EXPECT_TRUE(site.estimator.estimate().is_stowed) << "one that lasts is believed";
+  TetherEstimator other(testConfig());
+  EXPECT_TRUE(other.restore(site.estimator.save()));
+  EXPECT_TRUE(other.estimate().is_stowed);
+}
+
+TEST(InputFaults, AStowedTetherHasNoOverTension)
+{
+  Config config = testConfig();
+  config.tether.working_load = 10.0;
+  EstimatorFixture site(config);
+  site.run(3.0);
+  ASSERT_TRUE(site.estimator.overTension()) << "precondition";
+  ASSERT_TRUE(site.estimator.addPayout(site.t, 0.0, 0.0));
+  site.run(0.1);
+  EXPECT_FALSE(site.estimator.overTension());
+  for (const Alarm& alarm : site.estimator.alarms().alarms())
+    EXPECT_FALSE(alarm.isActive()) << alarm.definition().name;
+}
+
 TEST(InputFaults, ImpossibleWorldsAreNamed)
 {
   const auto finding = [](double vessel_z, double vehicle_z, Subject subject, Implausibility what)

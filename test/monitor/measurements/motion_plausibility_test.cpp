@@ -93,7 +93,7 @@ TEST(MotionPlausibility, AVelocityInOtherAxesIsNamed)
     for (int i = 0; i < 100; ++i)
     {
       body.add(0.05 * i, 0.05 * i * velocity);
-      body.plausibility.compareVelocity(0.05 * i, measured, heading, body.track);
+      body.plausibility.compareVelocity(0.05 * i, body.track.at(0.05 * i).position, measured, heading);
     }
     return body.plausibility;
   };
@@ -105,6 +105,27 @@ TEST(MotionPlausibility, AVelocityInOtherAxesIsNamed)
   EXPECT_GT(child.last(Implausibility::VELOCITY_IN_BODY_AXES), 0.0);
   const MotionPlausibility zero = findings(core::Vector3::Zero());
   EXPECT_GT(zero.last(Implausibility::CONTRADICTORY_VELOCITY), 0.0);
+}
+
+TEST(MotionPlausibility, AVelocityThatLeapsIsNotTakenForALeapOfThePosition)
+{
+  Checked body;
+  const core::Vector3 velocity(2.0, 0.0, 0.0);
+  int doubtful = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const double t = 0.1 * i;
+    doubtful += body.add(t, t * velocity) != Verdict::GOOD;
+    if (!body.plausibility.trustsVelocity())
+      body.track.clearRates();
+    const core::Vector3 measured = velocity + core::Vector3(0.0, t < 10.0 ? 0.0 : 3.0, 0.0);
+    body.plausibility.compareVelocity(t, body.track.at(t).position, measured, Eigen::Quaterniond::Identity());
+    if (body.plausibility.trustsVelocity())
+      body.track.addTwist(t, measured, core::Vector3::Zero());
+  }
+  EXPECT_EQ(doubtful, 0);
+  EXPECT_FALSE(body.plausibility.trustsVelocity());
+  EXPECT_GT(body.plausibility.last(Implausibility::CONTRADICTORY_VELOCITY), 15.0);
 }
 
 }  // namespace tether_monitor::monitor

@@ -23,6 +23,9 @@ TEST(ThrustBuffer, EachCountsFromItsOwnTimeOn)
   EXPECT_EQ(thrust.at(2.0).force.x(), 20.0);
   EXPECT_EQ(*thrust.age(1.5), 0.0);
   EXPECT_EQ(*thrust.age(3.5), 1.5);
+  thrust.add(0.7, ahead(99.0));  // late
+  EXPECT_EQ(thrust.latest().force.x(), 20.0);
+  EXPECT_EQ(*thrust.age(3.5), 1.5);
 }
 
 TEST(ThrustBuffer, KeepsTheLatestHoweverManyCome)

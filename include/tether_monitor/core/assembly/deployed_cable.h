@@ -39,6 +39,8 @@ class DeployedCable
   const ElementParameters& element(int i) const { return elements_[i]; }
   /// Unstretched arc length of a node from the vessel end [m]; 0 <= node <= elements().
   double arcLength(int node) const { return arc_length_[node]; }
+  /// The element that begins at arc length s or holds it [m], 0 <= s <= length().
+  int elementAt(double s) const;
   double length() const { return arc_length_.back(); }
   /// Largest EA / l of any element [N/m]: how much force a rounding of coordinates makes.
   double largestStiffness() const { return largest_stiffness_; }

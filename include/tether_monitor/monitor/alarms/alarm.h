@@ -43,6 +43,8 @@ class Alarm
    * @return       true if the state changed.
    */
   bool update(double t, double value, double s);
+  /// What it watches is not there any more: it returns. @return true if the state changed.
+  bool release(double t);
   /// The operator acknowledges it. @return true if the state changed.
   bool acknowledge(double t);
   /// Forgets running delays (the clock jumped); the state stays.

@@ -24,9 +24,12 @@ class FilteredVesselEnd final : public VesselEnd
   const MotionPlausibility* plausibility() const override { return &plausibility_; }
   long outliers() const override { return filter_.outliers(); }
   const VesselMotionFilter& filter() const { return filter_; }
-  bool isValid() const override { return track_.isValid() && filter_.isValid(); }
-  void write(core::BinaryWriter& archive) const override { archive(track_, filter_, plausibility_); }
-  void read(core::BinaryReader& archive) override { archive(track_, filter_, plausibility_); }
+  bool isValid() const override
+  {
+    return track_.isValid() && whole_.isValid() && filter_.isValid() && plausibility_.isValid();
+  }
+  void write(core::BinaryWriter& archive) const override { archive(track_, whole_, filter_, plausibility_); }
+  void read(core::BinaryReader& archive) override { archive(track_, whole_, filter_, plausibility_); }
 
  private:
   MeasuredVector attachmentPosition(const PoseMeasurement& pose) const;
@@ -36,6 +39,7 @@ class FilteredVesselEnd final : public VesselEnd
 
   BodyConfig body_;
   MotionBuffer track_;
+  MotionBuffer whole_;  // positions of which all axes were measured
   VesselMotionFilter filter_;
   MotionPlausibility plausibility_;  // leaps are the filter's
 };

@@ -33,7 +33,7 @@ class FreeVehicleEnd final : public VehicleEnd
                             CableSimulation& simulation) override;
   void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;
   const MotionBuffer& track() const override { return body_.track(); }
-  bool isValid(const core::CableModel& /*model*/) const override { return track().isValid() && thrust_.isValid(); }
+  bool isValid(const core::CableModel& /*model*/) const override { return body_.isValid() && thrust_.isValid(); }
   void write(core::BinaryWriter& archive) const override { archive(body_, thrust_); }
   void read(core::BinaryReader& archive) override { archive(body_, thrust_); }
 

@@ -21,6 +21,8 @@ class PayoutFollower
   /// @return false, and it is not used, if the winch or the clock cannot have made it. A rate that contradicts the
   /// lengths is left out.
   bool add(double t, double length, double rate, bool can_deploy);
+  /// The same of a report that nothing is out. @return false if it cannot be, or not yet be believed.
+  bool addStowed(double t, double rate);
   void clear()
   {
     buffer_.clear();

@@ -106,8 +106,12 @@ class TetherEstimator
   const AlarmSet& alarms() const { return alarms_; }
   /// True if any alarm changed its state in the last estimate.
   bool alarmsChanged() const { return alarms_changed_; }
-  /// What a control loop must see: true while INVALID or while the over-tension limit alarm is active or latched.
-  bool overTension() const { return estimate().status == Status::INVALID || alarms_.overTension(); }
+  /// What a control loop must see: true while INVALID, and unless nothing is out while a limit alarm of
+  /// over-tension or breaking is active or latched.
+  bool overTension() const
+  {
+    return estimate().status == Status::INVALID || (!estimate().is_stowed && alarms_.overTension());
+  }
   Phase phase() const { return cycle_.phase(); }
   bool isRunning() const { return cycle_.isRunning(); }
   /// The tether that is stepped: model, state, mesh, cost.

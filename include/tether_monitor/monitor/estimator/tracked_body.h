@@ -27,6 +27,7 @@ class TrackedBody
   /// Direction of a clamp at time t [s] in world axes; zero: there is none.
   core::Vector3 clampDirection(double t) const;
   const MotionBuffer& track() const { return track_; }
+  bool isValid() const { return track_.isValid() && plausibility_.isValid(); }
   const MotionPlausibility& plausibility() const { return plausibility_; }
   /// True once after the body was found elsewhere: its motion begins anew.
   bool takeLeap() { return std::exchange(has_leapt_, false); }

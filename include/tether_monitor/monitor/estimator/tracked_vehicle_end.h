@@ -34,7 +34,7 @@ class TrackedVehicleEnd final : public VehicleEnd
   const MotionBuffer& track() const override { return body_.track(); }
   const MotionPlausibility* plausibility() const override { return &body_.plausibility(); }
   bool takeLeap() override { return body_.takeLeap(); }
-  bool isValid(const core::CableModel& /*model*/) const override { return track().isValid(); }
+  bool isValid(const core::CableModel& /*model*/) const override { return body_.isValid(); }
   void write(core::BinaryWriter& archive) const override { archive(body_, band_); }
   void read(core::BinaryReader& archive) override { archive(body_, band_); }
   void prepare(const core::CableModel& model) override { band_.begin(model); }

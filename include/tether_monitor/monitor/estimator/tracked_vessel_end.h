@@ -24,7 +24,7 @@ class TrackedVesselEnd final : public VesselEnd
   const MotionBuffer& track() const override { return body_.track(); }
   const MotionPlausibility* plausibility() const override { return &body_.plausibility(); }
   bool takeLeap() override { return body_.takeLeap(); }
-  bool isValid() const override { return track().isValid(); }
+  bool isValid() const override { return body_.isValid(); }
   void write(core::BinaryWriter& archive) const override { archive(body_); }
   void read(core::BinaryReader& archive) override { archive(body_); }
 

@@ -53,6 +53,8 @@ class MotionBuffer
   double lastPoseTime() const;
   /// State at time t [s]; hasPose() must hold.
   BodyState at(double t) const;
+  /// Position beyond the last pose at time t [s] by the poses alone, without the rates that were measured.
+  core::Vector3 extrapolatedByPoses(double t) const;
   /// False for what no measurements can have made: for states that come from outside.
   bool isValid() const;
 
@@ -95,6 +97,7 @@ class MotionBuffer
 
   std::optional<Rates> measuredRates(double t) const;
   Slope ratesAt(std::size_t pose, double t) const;
+  Slope slopeAt(std::size_t pose) const;
 
   std::vector<Pose> poses_;   // in order of time, at most CAPACITY
   std::vector<Rates> rates_;  // likewise

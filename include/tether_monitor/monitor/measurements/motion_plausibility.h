@@ -41,12 +41,12 @@ class MotionPlausibility
   /**
    * Holds the velocity that was measured against the positions.
    *
+   * @param here         where the body is at time t [m].
    * @param velocity     in world axes [m/s].
    * @param orientation  of the body, with which body axes were turned into the world.
-   * @param track        with the position of this time.
    */
-  void compareVelocity(double t, const core::Vector3& velocity, const Eigen::Quaterniond& orientation,
-                       const MotionBuffer& track);
+  void compareVelocity(double t, const core::Vector3& here, const core::Vector3& velocity,
+                       const Eigen::Quaterniond& orientation);
   void clear() { *this = MotionPlausibility(); }
 
   /// Standard deviation of the scatter of the positions, the largest of the axes [m].
@@ -86,6 +86,7 @@ class MotionPlausibility
     }
   };
   double tolerance(double acceleration, double dt, const MotionBuffer& track, double t) const;
+  bool fitsPoses(double t, const core::Vector3& position, const MotionBuffer& track) const;
   void watchRepeats(double t, const core::Vector3& position, const MotionBuffer& track);
   void note(Implausibility what, double t) { last_[static_cast<std::size_t>(what)] = t; }
   void checkWindow(const core::Vector3& displacement);

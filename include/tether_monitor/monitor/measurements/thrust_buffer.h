@@ -12,10 +12,13 @@ namespace tether_monitor::monitor
 class ThrustBuffer
 {
  public:
-  /// Accepts a thrust from time t [s] on, body axes; one that is not later than the last takes its place.
+  /// Accepts a thrust from time t [s] on, body axes; one of the same time as the last takes its place, an older
+  /// one comes too late.
   void add(double t, const core::Wrench& thrust)
   {
-    if (count_ > 0 && t <= entries_[count_ - 1].t)
+    if (count_ > 0 && t < entries_[count_ - 1].t)
+      return;
+    if (count_ > 0 && t == entries_[count_ - 1].t)
       --count_;
     if (count_ == CAPACITY)
     {
