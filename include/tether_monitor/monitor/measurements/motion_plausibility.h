@@ -69,8 +69,8 @@ class MotionPlausibility
 
  private:
   static constexpr std::size_t KINDS = static_cast<std::size_t>(Implausibility::COUNT);
-  // Displacements over a stretch of time, by the velocities: as measured, and with their axes turned once more
-  // either displacement.
+  // Displacements over a stretch of time, by the velocities: as measured, and with their axes turned once more,
+  // back or on.
   struct Window
   {
     bool is_open = false;
