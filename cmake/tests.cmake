@@ -20,6 +20,7 @@ set(test_files
   test/core/cable/cable_mesh_test.cpp
   test/core/cable/end_trajectory_test.cpp
   test/core/cable/payout_test.cpp
+  test/core/cable/property_variation_test.cpp
   test/core/cable/payout_trajectory_test.cpp
   test/core/cable/winch_drum_test.cpp
   test/core/contact/contact_law_test.cpp

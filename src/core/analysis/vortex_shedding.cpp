@@ -44,7 +44,8 @@ double sheddingFrequency(const DeployedCable& cable, const CableState& state, in
   if (at.place.z() >= 0.0 || !(length > 0.0))
     return 0.0;
   const Vector3 t = at.slope / length;
-  const Vector3 u = at.velocity - cable.environment().waterKinematics(at.place, state.time).velocity;
+  const Vector3 u = at.velocity - cable.environment().waterKinematics(at.place, state.time).velocity -
+                    state.deployment.variation.currentAt(at.place.z());
   return STROUHAL * (u - u.dot(t) * t).norm() / cable.element(i).diameter;
 }
 

@@ -57,6 +57,17 @@ SlopeTransition transitionTo(const ElementParameters& softer, const ElementParam
   return {true, softer.axial, own.axial, softer.natural_stretch, own.natural_stretch};
 }
 
+void vary(const PropertyVariation& by, ElementParameters& e)
+{
+  e.drag_normal *= by.drag_normal;
+  e.drag_tangential *= by.drag_tangential;
+  e.mass *= by.mass_per_length;
+  e.natural_stretch *= by.length;
+  e.axial.stiffness *= by.axial_stiffness;
+  for (int k = 0; k < e.axial.stiffening.count; ++k)
+    e.axial.stiffening.change[k] *= by.axial_stiffness;
+}
+
 // What the kernels are given in place of a joined element, or one that has parted: as long, but nothing acts on
 // it.
 ElementParameters withoutForces(ElementParameters e)
@@ -78,7 +89,8 @@ DeployedCable::DeployedCable(const CableModel& model, const Deployment& deployme
 
 void DeployedCable::update(const CableModel& model, const Deployment& deployment)
 {
-  const bool same_elements = !stiffened_ && model.sharesTether(model_) && deployment == deployment_ &&
+  const bool same_elements = !stiffened_ && model.sharesTether(model_) &&
+                             hasSameElements(deployment, deployment_) &&
                              model.environment().gravity() == environment().gravity();
   if (!model.isSame(model_))
     model_ = model;
@@ -120,6 +132,7 @@ void DeployedCable::setElement(int i, double growing, double& covered)
   }
   if (!deployment_.drag_factor.empty())
     e.drag_normal *= deployment_.drag_factor[i];
+  vary(deployment_.variation, e);
   if (deployment_.parted_element == i)
   {
     e = withoutForces(e);

@@ -13,13 +13,15 @@ using namespace kernel;  // NOLINT: all of this file is about the kernels
 
 constexpr int WATER_TABLE = POINTS * WATER_ROWS * BLOCK;
 
-Surroundings surroundings(const EnvironmentModel& environment)
+Surroundings surroundings(const EnvironmentModel& environment, const PropertyVariation& variation)
 {
-  const Vector3 current = environment.waterKinematics(Vector3::Zero(), 0.0).velocity;
+  const Vector3 current = environment.waterKinematics(Vector3::Zero(), 0.0).velocity + variation.current;
   return {environment.density(),
           environment.gravity(),
           EnvironmentModel::AIR_DENSITY,
           {current.x(), current.y(), current.z()},
+          {variation.shear.x(), variation.shear.y(), variation.shear.z()},
+          variation.shear_depth,
           {environment.wind().x(), environment.wind().y(), environment.wind().z()},
           environment.hasWind()};
 }
@@ -33,7 +35,8 @@ void sampleWater(const EnvironmentModel& environment, const CableState& state, i
       const int i = first + std::min(lane, count - 1);
       const Vector3 r = interpolate(shapeFunctions(QUADRATURE[g].xi, length_of[std::min(lane, count - 1)]),
                                     elementCoords(state.q, i));
-      const WaterKinematics water = environment.waterKinematics(r, state.time);
+      WaterKinematics water = environment.waterKinematics(r, state.time);
+      water.velocity += state.deployment.variation.currentAt(r.z());
       double* at = table + g * WATER_ROWS * BLOCK + lane;
       for (int k = 0; k < 3; ++k)
       {
@@ -123,7 +126,7 @@ void ElementAssembler::residuals(const Kernel& kernel, const EnvironmentModel& e
                                  const CableState& state, int first, int count, ElementCoords* out) const
 {
   alignas(64) double water[WATER_TABLE];
-  const Surroundings around = surroundings(environment);
+  const Surroundings around = surroundings(environment, state.deployment.variation);
   ElementBlock b = block(environment, around, state, first, count, water);
   b.element_residual = out->data();
   kernel.residuals(b);
@@ -134,7 +137,7 @@ void ElementAssembler::assemble(const Kernel& kernel, const EnvironmentModel& en
                                 BlockTridiagonal& tangent) const
 {
   alignas(64) double water[WATER_TABLE];
-  const Surroundings around = surroundings(environment);
+  const Surroundings around = surroundings(environment, state.deployment.variation);
   residual.front().setZero();
   tangent.diagonal(0).setZero();
   for (int first = 0; first < count_; first += BLOCK)

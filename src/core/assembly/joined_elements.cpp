@@ -41,6 +41,7 @@ void JoinedElements::place(const Element& element, const CableState& state) cons
 {
   const ElementParameters& p = element.parameters;
   alone_.time = state.time;
+  alone_.deployment.variation = state.deployment.variation;
   split(elementCoords(p, state.q, element.index), alone_.q);
   split(elementRates(p, state.q, state.v, element.index), alone_.v);
   split(elementAccelerations(p, state.q, state.v, state.a, element.index), alone_.a);

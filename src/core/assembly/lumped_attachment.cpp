@@ -26,7 +26,7 @@ Flow flowPast(const LumpedAttachment& attachment, const EnvironmentModel& enviro
   Flow flow;
   flow.water = environment.waterKinematics(motion.r, time);
   flow.submergence = submergence(motion.r.z() - flow.water.surface, std::cbrt(attachment.volume) + LEAST_EXTENT);
-  flow.u = motion.v - flow.water.velocity;
+  flow.u = motion.v - flow.water.velocity - motion.current;
   flow.displaced = environment.density() * attachment.volume;
   flow.drag = 0.5 * environment.density() * attachment.drag_area * flow.submergence.fraction;
   return flow;
@@ -35,7 +35,7 @@ Flow flowPast(const LumpedAttachment& attachment, const EnvironmentModel& enviro
 PointMotion motionOf(const LumpedAttachment& attachment, const CableState& state)
 {
   return {state.q[attachment.node].head<3>(), state.v[attachment.node].head<3>(),
-          state.a[attachment.node].head<3>()};
+          state.a[attachment.node].head<3>(), state.deployment.variation.currentAt(state.q[attachment.node].z())};
 }
 }  // namespace
 

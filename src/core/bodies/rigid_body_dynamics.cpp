@@ -39,6 +39,7 @@ Kinematics kinematics(const RigidBody& body, const EnvironmentModel& environment
   k.R = motion.attitude.orientation.toRotationMatrix();
   k.centre = motion.position - k.R * p;
   k.water = environment.waterKinematics(k.centre, motion.time);
+  k.water.velocity += motion.variation.currentAt(k.centre.z());
   k.node_a = k.R.transpose() * motion.acceleration;
   k.water_a = k.R.transpose() * k.water.acceleration;
   k.node_u = k.R.transpose() * (motion.velocity - k.water.velocity);
@@ -57,13 +58,15 @@ struct Hydrodynamics
 };
 
 Hydrodynamics hydrodynamics(const RigidBody& body, const EnvironmentModel& environment, const Kinematics& k,
-                            const Hydrostatics& lift, const Vector3& w)
+                            const Hydrostatics& lift, const RigidBodyMotion& motion)
 {
+  const Vector3& w = motion.attitude.velocity;
   Hydrodynamics h;
   const double wet = lift.submerged_fraction;
   h.added_mass = wet * body.added_mass;
   h.inertia = body.inertia + wet * body.added_inertia;
-  h.drag = quadraticDrag(0.5 * environment.density() * wet * body.drag_area, k.u, h.drag_u);
+  h.drag = quadraticDrag(0.5 * environment.density() * wet * motion.variation.vehicle_drag * body.drag_area, k.u,
+                         h.drag_u);
   h.spin_drag = quadraticDrag(wet * body.rotational_drag, w, h.spin_drag_w);
   h.wind_drag = Vector3::Zero();
   h.wind_drag_u = Matrix3::Zero();
@@ -88,7 +91,8 @@ Vector3 neededForce(const RigidBody& body, const EnvironmentModel& environment, 
 
 RigidBodyMotion rigidBodyMotion(const CableState& state, std::size_t node, const AttitudeState& attitude)
 {
-  return {state.time, state.q[node].head<3>(), state.v[node].head<3>(), state.a[node].head<3>(), attitude};
+  return {state.time, state.q[node].head<3>(),   state.v[node].head<3>(), state.a[node].head<3>(),
+          attitude,   state.deployment.variation};
 }
 
 RigidBodyResidual rigidBodyResidual(const RigidBody& body, const EnvironmentModel& environment,
@@ -99,7 +103,7 @@ RigidBodyResidual rigidBodyResidual(const RigidBody& body, const EnvironmentMode
   const Kinematics k = kinematics(body, environment, motion);
   const Matrix3& R = k.R;
   const Hydrostatics lift = hydrostatics(body, environment, motion.time, k.water, k.centre, R);
-  Hydrodynamics h = hydrodynamics(body, environment, k, lift, w);
+  Hydrodynamics h = hydrodynamics(body, environment, k, lift, motion);
   const SeabedReaction ground = seabedReaction(body, environment, k.centre, motion.velocity - R * w.cross(p), wt);
   const Vector3 Mu = h.added_mass.cwiseProduct(k.u), Jw = h.inertia.cwiseProduct(w);
   const Vector3 g = neededForce(body, environment, k, h, lift, w, thrust);
@@ -155,7 +159,7 @@ Vector3 bodyDrag(const RigidBody& body, const EnvironmentModel& environment, con
 {
   const Kinematics k = kinematics(body, environment, motion);
   const Hydrostatics lift = hydrostatics(body, environment, motion.time, k.water, k.centre, k.R);
-  return -(k.R * hydrodynamics(body, environment, k, lift, motion.attitude.velocity).drag);
+  return -(k.R * hydrodynamics(body, environment, k, lift, motion).drag);
 }
 
 Vector3 centreOfMass(const RigidBody& body, const Vector3& attachment, const AttitudeState& attitude)

@@ -25,12 +25,13 @@ TM_INLINE WaterAtPoint<V> waterAtPoint(int g, const ElementBlock& in, int first,
 {
   WaterAtPoint<V> water;
   V surface{};
+  const V depth = lanes::min(lanes::max(-p.r[2], V{}), broadcast<W>(in.around->shear_depth));
   const double* table = in.water ? in.water + g * WATER_ROWS * BLOCK + first : nullptr;
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k)
   {
-    water.velocity[k] =
-        table ? load<W>(table + (WATER_VELOCITY + k) * BLOCK) : broadcast<W>(in.around->current[k]);
+    water.velocity[k] = table ? load<W>(table + (WATER_VELOCITY + k) * BLOCK)
+                              : in.around->current[k] + depth * in.around->shear[k];
     water.acceleration[k] = table ? load<W>(table + (WATER_ACCELERATION + k) * BLOCK) : V{};
   }
   if (table)

@@ -199,7 +199,7 @@ SolveReport SteadyStateSolver::settleFriction(const CableModel& model, const Ste
 SolveReport SteadyStateSolver::searchFrom(const SteadyEnds& ends, Search& search, NodeField& shape)
 {
   const DeployedCable& cable = search.cable;
-  trial_ = CableState(0.0, shape, ends.velocity);
+  trial_ = CableState(0.0, shape, ends.velocity, ends.deployment);
   trial_.clamps = ends.clamps;
   trial_.q.front().head<3>() = ends.vessel;
   if (!cable.bodies().vehicle)

@@ -75,7 +75,7 @@ TEST_F(StepperTest, AFailedStepLeavesTheDeployedLengthAsItWas)
     bad.payout = PayoutTrajectory::between(0.1, {built + 0.2, 3.0, 0.0}, 0.2, {built + 0.6, 3.0, 0.0});
     bad.vehicle = EndTrajectory::between(0.1, {Vector3::Constant(NAN), Vector3::Zero()}, 0.2, EndMotion());
     EXPECT_FALSE(stepper.advance(model, bad, 0.2, paid_out).converged());
-    EXPECT_TRUE(paid_out.deployment == before.deployment);
+    EXPECT_TRUE(hasSameElements(paid_out.deployment, before.deployment));
     EXPECT_EQ(paid_out.q[7], before.q[7]);
 
     // And what steps on is not another for the failure.

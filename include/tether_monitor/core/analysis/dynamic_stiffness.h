@@ -21,7 +21,7 @@ struct EndDynamicStiffness
 };
 
 /**
- * Finds the EndDynamicStiffness of a tether in motion by block elimination: (E3) of doc/estimation.md.
+ * Finds the EndDynamicStiffness of a tether in motion by block elimination: (E3) of doc/theory/estimation.md.
  *
  * The iteration matrix of a time step, with other weights, is the dynamic stiffness sigma^2 M + sigma C + K of the
  * equations of motion (M11) about a state; reduced to the ends it says all that a body there can feel.

@@ -16,10 +16,11 @@ struct LumpedAttachment
   double drag_area = 0.0;  ///< [m^2]
 };
 
-/// Motion of a point: position [m], velocity [m/s], acceleration [m/s^2].
+/// Motion of a point: position [m], velocity [m/s], acceleration [m/s^2]; and of the water there, beyond that of
+/// the environment [m/s].
 struct PointMotion
 {
-  Vector3 r = Vector3::Zero(), v = Vector3::Zero(), a = Vector3::Zero();
+  Vector3 r = Vector3::Zero(), v = Vector3::Zero(), a = Vector3::Zero(), current = Vector3::Zero();
 };
 
 /// Force that an attachment needs from outside [N].

@@ -13,6 +13,7 @@ struct RigidBodyMotion
   double time = 0.0;  ///< [s], for the waves.
   Vector3 position = Vector3::Zero(), velocity = Vector3::Zero(), acceleration = Vector3::Zero();
   AttitudeState attitude;
+  PropertyVariation variation = {};  ///< of the water and of the body's drag.
 };
 
 /// Motion of a body that is fixed to a node of a state.

@@ -61,7 +61,9 @@ enum WaterRow
 struct Surroundings
 {
   double density, gravity, air_density;
-  double current[3];  ///< [m/s] where there is no table of the water.
+  double current[3];   ///< [m/s] at the surface, where there is no table of the water.
+  double shear[3];     ///< its change per metre of depth [1/s], down to shear_depth.
+  double shear_depth;  ///< [m], >= 0.
   double wind[3];
   bool has_wind;
 };
