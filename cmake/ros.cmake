@@ -12,8 +12,8 @@ find_package(catkin REQUIRED COMPONENTS
   std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros visualization_msgs)
 
 add_message_files(FILES
-  Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg Payout.msg
-  TetherState.msg)
+  Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg
+  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherState.msg)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 
 catkin_package(

@@ -89,10 +89,13 @@ set(test_files
   test/monitor/measurements/payout_buffer_test.cpp
   test/monitor/measurements/ring_buffer_test.cpp
   test/monitor/model/model_factory_test.cpp
-  test/monitor/vehicle/error_state_filter_test.cpp
-  test/monitor/vehicle/innovation_gate_test.cpp
-  test/monitor/vehicle/measurement_timing_test.cpp
-  test/monitor/vehicle/vehicle_initializer_test.cpp
+  test/monitor/ensemble/ensemble_start_test.cpp
+  test/monitor/ensemble/ensemble_summary_test.cpp
+  test/monitor/ensemble/ensemble_transform_test.cpp
+  test/monitor/ensemble/innovation_gate_test.cpp
+  test/monitor/ensemble/motion_error_filter_test.cpp
+  test/monitor/ensemble/measurement_timing_test.cpp
+  test/monitor/ensemble/vehicle_initializer_test.cpp
   test/monitor/measurements/motion_plausibility_test.cpp
   test/monitor/measurements/noise_estimator_test.cpp
   test/monitor/measurements/payout_plausibility_test.cpp

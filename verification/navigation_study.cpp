@@ -168,7 +168,6 @@ monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monito
   }
   config.navigation.position_stddev = sensors.fix_stddev;
   config.navigation.latency = sensors.latency;
-  config.navigation.gains = knowledge.gains;
   config.vessel.position_stddev = sensors.satellite_stddev;
   config.invalid_timeout = 600.0;
   return config;
@@ -224,10 +223,20 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
       if (is_sent)
         estimator.addVehicle(fix);
     }
+    if (observed && sensors.has_load_cell && i % every(0.1) == 0)
+      estimator.addTension(
+          t, truth.vessel_tension[i] * (1.0 + sensors.tension_stddev * normal(generator)) + sensors.tension_bias);
+    if (i % every(1.0 / config.rate) != 0)
+      continue;
     const double begin = cpuTime();
     const monitor::TetherEstimate& e = estimator.tick(t);
     trail.cpu += cpuTime() - begin;
     trail.t.push_back(t);
+    trail.index.push_back(i);
+    trail.vessel_p05.push_back(e.vessel_tension_p05);
+    trail.vessel_p95.push_back(e.vessel_tension_p95);
+    trail.vehicle_p05.push_back(e.vehicle_tension_p05);
+    trail.vehicle_p95.push_back(e.vehicle_tension_p95);
     trail.vessel_tension.push_back(e.vessel_tension);
     trail.vehicle_tension.push_back(e.vehicle_tension);
     trail.vessel_stddev.push_back(e.vessel_tension_stddev);
@@ -240,11 +249,8 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
       trail.limit_alarm =
           trail.limit_alarm || (alarm.definition().name == "over_tension" && alarm.isAnnunciated());
   }
-  if (const monitor::VehicleObserver* observer = estimator.vehicle().observer())
-  {
-    trail.repeated_steps = observer->replayedSteps();
-    trail.innovations = observer->innovations();
-  }
+  if (const monitor::TetherEnsemble* ensemble = estimator.vehicle().ensemble())
+    trail.innovations = ensemble->innovations();
   return trail;
 }
 
@@ -262,14 +268,14 @@ Score score(const Truth& truth, const Trail& trail, double from, double to)
     if (trail.status[i] == monitor::Status::INVALID)
       continue;
     ++valid;
-    const double error = trail.vessel_tension[i] - truth.vessel_tension[i];
-    const double vehicle_error = trail.vehicle_tension[i] - truth.vehicle_tension[i];
+    const double error = trail.vessel_tension[i] - truth.vessel_tension[trail.index[i]];
+    const double vehicle_error = trail.vehicle_tension[i] - truth.vehicle_tension[trail.index[i]];
     square += error * error;
     vehicle_square += vehicle_error * vehicle_error;
-    mean += truth.vessel_tension[i];
-    vehicle_mean += truth.vehicle_tension[i];
+    mean += truth.vessel_tension[trail.index[i]];
+    vehicle_mean += truth.vehicle_tension[trail.index[i]];
     peak = std::max(peak, trail.vessel_tension[i]);
-    true_peak = std::max(true_peak, truth.vessel_tension[i]);
+    true_peak = std::max(true_peak, truth.vessel_tension[trail.index[i]]);
     one += std::abs(error) <= trail.vessel_stddev[i];
     two += std::abs(error) <= 2.0 * trail.vessel_stddev[i];
     s.mean_stddev += trail.vessel_stddev[i];

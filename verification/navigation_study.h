@@ -39,6 +39,8 @@ struct Sensors
   double latency = 1.0;                                      ///< [s]
   double satellite_interval = 0.2, satellite_stddev = 0.02;  ///< of the vessel's position [s, m].
   double heave_interval = 0.05, heave_stddev = 0.03;         ///< of its height [s, m].
+  bool has_load_cell = false;                                ///< at the vessel end, ten times a second.
+  double tension_stddev = 0.02, tension_bias = 0.0;          ///< relative; [N].
   /// Changes a measured position at its time, after the noise; false: it gets lost. Empty: none.
   std::function<bool(double, core::Vector3&)> fault;
 };
@@ -48,20 +50,20 @@ struct Knowledge
 {
   double drag_factor = 1.0;    ///< on the true drag areas.
   double length_factor = 1.0;  ///< on the true length of the tether.
-  monitor::ObserverGains gains = monitor::ObserverGains::KALMAN;
 };
 
 /// An estimate a tick.
 struct Trail
 {
   std::vector<double> t, vessel_tension, vehicle_tension, vessel_stddev, vehicle_stddev;
+  std::vector<double> vessel_p05, vessel_p95, vehicle_p05, vehicle_p95;
+  std::vector<std::size_t> index;  ///< in the truth.
   std::vector<core::Vector3> vehicle;
   std::vector<double> vehicle_stddev_m;
   std::vector<monitor::Status> status;
   std::vector<monitor::Reason> reason;
   bool limit_alarm = false;  ///< the over-tension limit alarm rose.
   double cpu = 0.0;          ///< of the ticks [s].
-  long repeated_steps = 0;
   monitor::InnovationStatistics innovations;
 };
 
@@ -69,7 +71,7 @@ struct Trail
 monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monitor::VehicleMode mode,
                           const Sensors& sensors);
 
-/// Runs the estimator live at 20 Hz over measurements of the truth.
+/// Runs the estimator live at its rate over measurements of the truth.
 Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors);
 
 /// How well a trail matches the truth from `from` to `to` [s].

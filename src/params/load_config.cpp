@@ -18,11 +18,12 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   ParameterReader in(tree);
   monitor::Config config;
   config.world_frame = in.text("world_frame", config.world_frame);
-  config.environment = loadEnvironment(in.child("environment"), folder);
+  config.environment = loadEnvironment(in.child("environment"), folder, config.uncertainty.current);
   loadTether(in.child("tether"), config);
   config.vessel = loadVessel(in.child("vessel"));
   loadVehicle(in.child("vehicle"), config);
-  config.solver = loadSolver(in.child("solver"));
+  config.solver = loadSolver(in.child("solver"), config.uncertainty.members);
+  loadSensors(in, config.uncertainty);
   loadMonitor(in.child("monitor"), config);
   if (in.has("winch"))
     config.winch = loadWinch(in.child("winch"));

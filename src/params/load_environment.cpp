@@ -86,13 +86,14 @@ core::Obstacle loadObstacle(ParameterReader in)
 }
 }  // namespace
 
-core::Environment loadEnvironment(ParameterReader in, const std::string& folder)
+core::Environment loadEnvironment(ParameterReader in, const std::string& folder, double& current_stddev)
 {
   core::Environment sea;
   sea.water_density = in.number("water_density", sea.water_density);
   sea.gravity = in.number("gravity", sea.gravity);
   sea.current = loadCurrent(in);
   sea.waves = loadWaves(in);
+  current_stddev = in.number("current_stddev", current_stddev);
   sea.wind = in.vector("wind", sea.wind);
   if (in.has("seabed"))
     sea.seabed = loadSeabed(in.child("seabed"), folder);

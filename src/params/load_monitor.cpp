@@ -23,8 +23,20 @@ void loadAlarm(ParameterReader in, monitor::AlarmConfig& alarm)
 }
 }  // namespace
 
-core::StepperOptions loadSolver(ParameterReader in)
+void loadSensors(ParameterReader& in, monitor::UncertaintyConfig& uncertainty)
 {
+  ParameterReader tension = in.child("tension_sensor");
+  uncertainty.tension_stddev = tension.number("stddev", uncertainty.tension_stddev);
+  uncertainty.tension_bias = tension.number("bias_stddev", uncertainty.tension_bias);
+  tension.finish();
+  ParameterReader direction = in.child("direction_sensor");
+  uncertainty.direction_stddev = direction.number("stddev", uncertainty.direction_stddev);
+  direction.finish();
+}
+
+core::StepperOptions loadSolver(ParameterReader in, int& members)
+{
+  members = in.integer("members", members);
   core::StepperOptions options;
   const std::string integrator = in.text("integrator", "generalized_alpha");
   if (integrator == "abarbanel_zwas")

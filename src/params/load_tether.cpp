@@ -82,6 +82,15 @@ core::CableLayout loadFittings(ParameterReader& in, const core::CableProperties&
   }
   return layout;
 }
+void loadUncertainty(ParameterReader in, monitor::UncertaintyConfig& u)
+{
+  u.drag_normal = in.number("drag_normal", u.drag_normal);
+  u.drag_tangential = in.number("drag_tangential", u.drag_tangential);
+  u.mass_per_length = in.number("mass_per_length", u.mass_per_length);
+  u.length = in.number("length", u.length);
+  u.axial_stiffness = in.number("axial_stiffness", u.axial_stiffness);
+  in.finish();
+}
 }  // namespace
 
 void loadTether(ParameterReader in, monitor::Config& config)
@@ -101,6 +110,7 @@ void loadTether(ParameterReader in, monitor::Config& config)
   p.min_bend_radius = in.optionalNumber("min_bend_radius");
   config.drag_amplification = in.number("drag_amplification", config.drag_amplification);
   config.layout = loadFittings(in, p);
+  loadUncertainty(in.child("uncertainty"), config.uncertainty);
   // With elements: auto a mesh to begin with, that has room for what is fixed to the tether.
   while (config.accuracy && config.elements < core::MOST_ELEMENTS &&
          !core::validateElementCount(config.elements, p.length, config.layout).empty())

@@ -49,6 +49,10 @@ void add(const MeasurementRow& row, monitor::TetherEstimator& estimator)
     note(estimator.addVehicle(*row.vehicle));
   if (row.vehicle_rates)
     note(estimator.addVehicle(*row.vehicle_rates));
+  if (row.tension)
+    note(estimator.addTension(row.t, *row.tension));
+  if (row.direction)
+    note(estimator.addDirection(row.t, *row.direction));
 }
 
 // Calls visit(t) at every step and write() at every output: between outputs equal parts of at most `step`.
@@ -129,8 +133,10 @@ void replayMeasurements(const RecordedMeasurements& measurements, const Motion& 
 {
   const auto& rows = measurements.rows();
   std::size_t next = 0;
-  bool has_begun = false;
-  estimator.setInitialVesselMotion(rows.front().t, measurements.vesselAtFirstRow());
+  const std::optional<monitor::BodyState> vessel = measurements.vesselAtFirstRow();
+  bool has_begun = !vessel;  // its velocity must be found out first
+  if (vessel)
+    estimator.setInitialVesselMotion(rows.front().t, *vessel);
   run(motion, options, estimator, recorder,
       [&](double t, bool)
       {
@@ -138,7 +144,7 @@ void replayMeasurements(const RecordedMeasurements& measurements, const Motion& 
           add(rows[next], estimator);
         if (motion.hasPayout())
           estimator.addPayout(t, motion.payout(t).length, motion.payout(t).rate);
-        if (has_begun || !estimator.vehicle().observer()->hasPosition())
+        if (has_begun || !estimator.vehicle().ensemble()->hasPosition())
         {
           estimator.tick(t);
           return;

@@ -1,5 +1,6 @@
 #include "tether_monitor/replay/recorded_measurements.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -9,8 +10,6 @@ namespace tether_monitor::replay
 {
 namespace
 {
-constexpr double FIRST_SECONDS = 10.0;  // [s] of rows that tell the vessel's velocity at the first
-
 // The columns of one body in one row.
 class BodyColumns
 {
@@ -28,30 +27,29 @@ class BodyColumns
     requireAllOrNone({"qx", "qy", "qz", "qw"});
   }
 
-  /// @param may_be_height_alone  a row without x and y is a measured height, not an error.
-  std::optional<monitor::PoseMeasurement> pose(std::size_t row, double t, bool may_be_height_alone) const
+  /// @param may_lack_axes  every empty field is an axis that was not measured; else only a height alone is
+  /// allowed.
+  std::optional<monitor::PoseMeasurement> pose(std::size_t row, double t, bool may_lack_axes) const
   {
     const core::Vector3 place(at(row, "x"), at(row, "y"), at(row, "z"));
     if (place.array().isNaN().all())
       return std::nullopt;
-    const bool is_height_alone =
-        may_be_height_alone && std::isnan(place.x()) && std::isnan(place.y()) && !std::isnan(place.z());
-    if (place.hasNaN() && !is_height_alone)
-      fail(row, body_ + "x, y and z must all be there or all be empty");
+    const bool is_height_alone = std::isnan(place.x()) && std::isnan(place.y()) && !std::isnan(place.z());
+    if (place.hasNaN() && !is_height_alone && !may_lack_axes)
+      fail(row, body_ + "x, y and z must all be there, or x and y be empty, or all");
     monitor::PoseMeasurement pose;
     pose.t = t;
     const double stddev = at(row, "stddev");
     if (stddev <= 0.0)
       fail(row, body_ + "stddev must be > 0 m");
+    const core::Vector3 known = place.array().isNaN().select(0.0, place);
     if (std::isnan(stddev))
-      pose.position = place;
+      pose.position = known;
     else
-      pose.position = monitor::MeasuredVector::withStddev(place, core::Vector3::Constant(stddev));
-    if (is_height_alone)
-    {
-      pose.position.setNotMeasured(0);
-      pose.position.setNotMeasured(1);
-    }
+      pose.position = monitor::MeasuredVector::withStddev(known, core::Vector3::Constant(stddev));
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::isnan(place[axis]))
+        pose.position.setNotMeasured(axis);
     pose.orientation = orientation(row);
     return pose;
   }
@@ -100,11 +98,54 @@ class BodyColumns
   const files::CsvTable& table_;
   std::string body_;
 };
+
+// Load cell and direction of the tether at the vessel end.
+class SensorColumns
+{
+ public:
+  explicit SensorColumns(const files::CsvTable& table) : table_(table), tension_(table.find("tension"))
+  {
+    const char* const names[] = {"direction_x", "direction_y", "direction_z"};
+    for (int axis = 0; axis < 3; ++axis)
+      direction_[axis] = table.find(names[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      if (!direction_[axis] && (direction_[0] || direction_[1] || direction_[2]))
+        throw std::runtime_error(table.path + ", line " + std::to_string(table.header_line) + ": column " +
+                                 names[axis] + " is missing beside its companions");
+  }
+
+  std::optional<double> tension(std::size_t row) const
+  {
+    const double x = tension_ ? table_.rows[row][*tension_] : std::numeric_limits<double>::quiet_NaN();
+    return std::isnan(x) ? std::nullopt : std::optional<double>(x);
+  }
+
+  std::optional<core::Vector3> direction(std::size_t row) const
+  {
+    if (!direction_[0])
+      return std::nullopt;
+    core::Vector3 v;
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = table_.rows[row][*direction_[axis]];
+    if (v.array().isNaN().all())
+      return std::nullopt;
+    if (!(v.norm() > 0.0))
+      throw std::runtime_error(table_.path + ", line " + std::to_string(table_.lines[row]) +
+                               ": direction_x, _y and _z must all be empty or a vector that is not zero");
+    return v;
+  }
+
+ private:
+  const files::CsvTable& table_;
+  std::optional<std::size_t> tension_;
+  std::array<std::optional<std::size_t>, 3> direction_;
+};
 }  // namespace
 
 bool mayBeEmpty(const std::string& column)
 {
-  return column.rfind("vessel_", 0) == 0 || column.rfind("vehicle_", 0) == 0;
+  return column.rfind("vessel_", 0) == 0 || column.rfind("vehicle_", 0) == 0 || column == "tension" ||
+         column.rfind("direction_", 0) == 0;
 }
 
 RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
@@ -115,6 +156,7 @@ RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
   if (table.rows.empty())
     throw std::runtime_error(table.path + " has a header but no rows");
   const BodyColumns vessel(table, "vessel_"), vehicle(table, "vehicle_");
+  const SensorColumns sensors(table);
   for (std::size_t i = 0; i < table.rows.size(); ++i)
   {
     MeasurementRow row;
@@ -122,10 +164,12 @@ RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
     if (i > 0 && !(row.t > rows_.back().t))
       throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) +
                                ": t does not increase from the row before");
-    row.vessel = vessel.pose(i, row.t, true);
+    row.vessel = vessel.pose(i, row.t, false);
     row.vessel_rates = vessel.rates(i, row.t);
-    row.vehicle = vehicle.pose(i, row.t, false);
+    row.vehicle = vehicle.pose(i, row.t, true);
     row.vehicle_rates = vehicle.rates(i, row.t);
+    row.tension = sensors.tension(i);
+    row.direction = sensors.direction(i);
     rows_.push_back(row);
   }
   const std::optional<monitor::PoseMeasurement>& first = rows_.front().vessel;
@@ -134,34 +178,14 @@ RecordedMeasurements::RecordedMeasurements(const files::CsvTable& table)
                              ": the first row must have the vessel's position");
 }
 
-monitor::BodyState RecordedMeasurements::vesselAtFirstRow() const
+std::optional<monitor::BodyState> RecordedMeasurements::vesselAtFirstRow() const
 {
+  if (!rows_.front().vessel_rates)
+    return std::nullopt;
   monitor::BodyState state;
   state.position = rows_.front().vessel->position.value();
   state.orientation = rows_.front().vessel->orientation.value_or(Eigen::Quaterniond::Identity());
-  if (rows_.front().vessel_rates)
-  {
-    state.velocity = rows_.front().vessel_rates->velocity.value();
-    return state;
-  }
-  double n = 0.0, mean_t = 0.0, square = 0.0;
-  core::Vector3 mean = core::Vector3::Zero(), product = core::Vector3::Zero();
-  for (const MeasurementRow& row : rows_)
-  {
-    if (row.t > rows_.front().t + FIRST_SECONDS)
-      break;
-    if (!row.vessel || !row.vessel->position.isComplete())
-      continue;
-    n += 1.0;
-    const double dt = row.t - mean_t;
-    mean_t += dt / n;
-    mean += (row.vessel->position.value() - mean) / n;
-    square += dt * (row.t - mean_t);
-    product += dt * (row.vessel->position.value() - mean);
-  }
-  if (square > 0.0)
-    state.velocity = product / square;
-  state.velocity.z() = 0.0;  // no vessel rises for long
+  state.velocity = rows_.front().vessel_rates->velocity.value();
   return state;
 }
 

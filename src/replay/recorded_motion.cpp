@@ -118,7 +118,7 @@ Motion::Motion(const files::CsvTable& table, monitor::VehicleMode mode)
       throw std::runtime_error(table.path + ", line " + std::to_string(table.lines[i]) +
                                ": t does not increase from the row before");
   if (mode == monitor::VehicleMode::OBSERVED)
-    in.leaveToOthers({"vessel_", "vehicle_"});
+    in.leaveToOthers({"vessel_", "vehicle_", "tension", "direction_"});
   else
     vessel_ = readBody(table, "vessel", t_, in);
   if (mode == monitor::VehicleMode::TRACKED)

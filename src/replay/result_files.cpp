@@ -18,7 +18,9 @@ const char* header(VehicleColumns vehicle)
       return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw";
     case VehicleColumns::OBSERVED:
       return ",vehicle_x,vehicle_y,vehicle_z,vehicle_qx,vehicle_qy,vehicle_qz,vehicle_qw,vessel_tension_stddev,"
-             "vehicle_tension_stddev,vehicle_position_stddev";
+             "vehicle_tension_stddev,vehicle_position_stddev,vessel_tension_p05,vessel_tension_p95,vehicle_"
+             "tension_p05,"
+             "vehicle_tension_p95";
     case VehicleColumns::NONE:
       break;
   }
@@ -60,8 +62,28 @@ void EndsFile::write(const TetherEstimate& e)
       csv_.number(e.has_vehicle ? e.vehicle.orientation.coeffs()[i] : NONE);
   }
   if (vehicle_ == VehicleColumns::OBSERVED)
-    csv_.number(e.vessel_tension_stddev).number(e.vehicle_tension_stddev).number(e.vehicle_position_stddev);
+    for (const double x :
+         {e.vessel_tension_stddev, e.vehicle_tension_stddev, e.vehicle_position_stddev, e.vessel_tension_p05,
+          e.vessel_tension_p95, e.vehicle_tension_p05, e.vehicle_tension_p95})
+      csv_.number(x);
   csv_.endRow();
+}
+
+ParametersFile::ParametersFile(const std::string& folder)
+  : csv_(folder + "/parameters.csv", "t,name,mean,stddev,configured,configured_stddev")
+{
+}
+
+void ParametersFile::write(double t, const std::vector<monitor::ParameterEstimate>& parameters)
+{
+  for (const monitor::ParameterEstimate& p : parameters)
+    csv_.time(t)
+        .text(p.name)
+        .number(p.mean)
+        .number(p.stddev)
+        .number(p.configured)
+        .number(p.configured_stddev)
+        .endRow();
 }
 
 ContactsFile::ContactsFile(const std::string& folder)

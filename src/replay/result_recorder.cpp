@@ -12,6 +12,8 @@ namespace tether_monitor::replay
 {
 namespace
 {
+constexpr double PARAMETER_PERIOD = 1.0;  // [s]
+
 double cpuClock()
 {
   timespec now{};
@@ -36,6 +38,8 @@ ResultRecorder::ResultRecorder(const std::string& folder, double shape_rate, Veh
 {
   if (shape_rate > 0.0)
     shape_ = std::make_unique<ShapeFile>(folder);
+  if (vehicle == VehicleColumns::OBSERVED)
+    parameters_ = std::make_unique<ParametersFile>(folder);
 }
 
 void ResultRecorder::startTimer()
@@ -72,6 +76,11 @@ void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
   ++status_count_[static_cast<int>(e.status)];
   if (e.reason != monitor::Reason::NONE)
     ++reason_count_[describe(e.reason)];
+  if (parameters_ && e.has_stations && e.time >= next_parameters_ - 1e-9)
+  {
+    parameters_->write(e.time, estimator.parameters());
+    next_parameters_ = e.time + PARAMETER_PERIOD;
+  }
   const std::vector<core::Obstacle>& obstacles = estimator.simulation().model.environment().obstacles();
   if (!contacts_ && !obstacles.empty())
     contacts_ = std::make_unique<ContactsFile>(folder_);
@@ -119,6 +128,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
     shape_->close();
   if (contacts_)
     contacts_->close();
+  if (parameters_)
+    parameters_->close();
 }
 
 }  // namespace tether_monitor::replay

@@ -12,28 +12,27 @@ namespace tether_monitor
 {
 namespace
 {
-void diagnoseObserver(const monitor::TetherEstimator& estimator,
+void diagnoseEnsemble(const monitor::TetherEstimator& estimator,
                       diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   const monitor::TetherEstimate& e = estimator.estimate();
-  const monitor::VehicleObserver& observer = *estimator.vehicle().observer();
-  const monitor::InnovationStatistics& innovations = observer.innovations();
-  if (observer.exceedsTetherLength())
-    status.add("Reach",
-               "The measured ends are farther apart than the tether is long: deployed length, positions or "
-               "both are wrong.");
+  const monitor::TetherEnsemble& ensemble = *estimator.vehicle().ensemble();
+  const monitor::InnovationStatistics& innovations = ensemble.innovations();
   status.add("Standard deviation of the vessel tension [N]", e.vessel_tension_stddev);
   status.add("Standard deviation of the vehicle tension [N]", e.vehicle_tension_stddev);
   status.add("Standard deviation of the vehicle position [m]", e.vehicle_position_stddev);
   status.addf("Disturbance force on the vehicle [N]", "%.0f %.0f %.0f, standard deviation %.0f", e.disturbance.x(),
               e.disturbance.y(), e.disturbance.z(), e.disturbance_stddev);
-  status.addf("Of it, drag areas off by", "%.0f %%", 100.0 * observer.filter().dragError());
+  for (const monitor::ParameterEstimate& p : estimator.parameters())
+    status.addf(p.name, "%.4g +- %.2g (configured %.4g +- %.2g)", p.mean, p.stddev, p.configured,
+                p.configured_stddev);
   status.add("Innovation, last [m]", innovations.last);
   status.add("Innovations over their expected size [-]", innovations.noise_scale);
   status.add("Bias of the innovations over chance [-]", innovations.normalized_innovation_mean);
   status.addf("Measurements of the vehicle", "%ld accepted, %ld refused as outliers, %ld re-acquired",
               innovations.accepted, innovations.refused, innovations.reacquired);
-  status.add("Steps made again for late measurements", observer.replayedSteps());
+  status.add("Times that the parameters were drawn anew", ensemble.filter().resets());
+  status.add("Members that had to be replaced", ensemble.members().replaced());
   status.add("Outliers of the vessel's motion", estimator.vessel().outliers());
 }
 // Poses that come but are refused are another matter than none.
@@ -145,8 +144,8 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
                           alarmText(alarm, inputs.time));
   diagnoseReasons(estimator, inputs, status);
   diagnoseSurroundings(inputs, status);
-  if (estimator.vehicle().observer())
-    diagnoseObserver(estimator, status);
+  if (estimator.vehicle().ensemble())
+    diagnoseEnsemble(estimator, status);
   status.add("Largest tension [N]", e.max_tension);
   status.add("Share of the working load [-]", e.working_utilisation);
   status.add("Age of the vessel pose [s]", e.vessel_age);

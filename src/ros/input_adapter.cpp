@@ -15,8 +15,6 @@ namespace
 {
 using Result = std::optional<InputError>;
 
-const Eigen::Quaterniond HALF_TURN(0.0, 1.0, 0.0, 0.0);  // about x: between the axes FLU and FRD
-
 // Of a body in a message, turned to the world and to the axes of the package; none if it says nothing (all zero).
 std::optional<Eigen::Quaterniond> orientationOf(const geometry_msgs::Quaternion& message,
                                                 const Eigen::Isometry3d& to_world, const monitor::BodyConfig& body)
@@ -25,14 +23,15 @@ std::optional<Eigen::Quaterniond> orientationOf(const geometry_msgs::Quaternion&
   if (q.coeffs().isZero(0.0))
     return std::nullopt;
   const Eigen::Quaterniond turned = Eigen::Quaterniond(to_world.rotation()) * q;
-  return body.body_axes == monitor::BodyAxes::FRD ? turned * HALF_TURN : turned;
+  return body.body_axes == monitor::BodyAxes::FRD ? turned * monitor::halfTurnAboutX() : turned;
 }
 
 // From the axes in which a body's messages are to the world.
 Eigen::Isometry3d messageAxesToWorld(const monitor::BodyConfig& body, const Eigen::Quaterniond& orientation)
 {
   const bool is_turned = body.body_axes == monitor::BodyAxes::FRD;
-  return Eigen::Isometry3d(is_turned ? (orientation * HALF_TURN).normalized() : orientation.normalized());
+  return Eigen::Isometry3d(is_turned ? (orientation * monitor::halfTurnAboutX()).normalized()
+                                     : orientation.normalized());
 }
 
 // Zeros of which nothing tells how good they are: a field that nobody fills.
@@ -288,6 +287,26 @@ Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Ti
   if (!estimator_.setDepth(message.data))
     return noted("depth = " + std::to_string(message.data) + " (must be > 0 m and deeper than the waves)", now);
   return std::nullopt;
+}
+
+Result InputAdapter::accept(const TensionMeasurement& message, const ros::Time& now)
+{
+  Result error = checkStamp(message.header, now);
+  if (!error)
+    error = outOfBounds(Field::FORCE, message.tension);
+  if (!error)
+    error = resultOf(estimator_.addTension(time_.seconds(message.header.stamp), message.tension));
+  return noted(error, now);
+}
+
+Result InputAdapter::accept(const geometry_msgs::Vector3Stamped& message, const ros::Time& now)
+{
+  Eigen::Isometry3d to_world;
+  Result error = checkHeader(message.header, now, to_world);
+  if (!error)
+    error = resultOf(
+        estimator_.addDirection(time_.seconds(message.header.stamp), to_world.linear() * vector(message.vector)));
+  return noted(error, now);
 }
 
 Result InputAdapter::accept(const geometry_msgs::WrenchStamped& message, const ros::Time& now)

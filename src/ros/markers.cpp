@@ -18,6 +18,7 @@ using visualization_msgs::Marker;
 constexpr double LINE_WIDTH = 0.006;
 constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
 constexpr double TEXT_HEIGHT = 0.04;
+constexpr int TUBE_SIDES = 8;
 constexpr double OBSTACLE_LIFETIME = 2.0;  // [s]
 constexpr int SEABED_CELLS = 16;           // along each side of the patch
 
@@ -63,6 +64,36 @@ Marker tetherLine(const std_msgs::Header& header, const monitor::TetherEstimator
     m.colors.push_back(utilisationColour(
         e.stations.tension[i] / estimator.simulation().model.elementProperties(element).working_load, warning));
   }
+  return m;
+}
+
+// How far the tether may be from where it is drawn: two standard deviations across.
+Marker uncertaintyTube(const std_msgs::Header& header, const monitor::TetherEstimate& e)
+{
+  Marker m = blank(header, "uncertainty", 0, Marker::TRIANGLE_LIST);
+  const std::size_t n = e.stations.position.size();
+  if (!e.has_stations || e.position_stddev.size() != n)
+  {
+    m.action = Marker::DELETE;
+    return m;
+  }
+  m.scale.x = m.scale.y = m.scale.z = 1.0;
+  m.color = colour(0.4, 0.7, 1.0, 0.25);
+  const auto corner = [&](std::size_t k, int side)
+  {
+    const core::Vector3 along =
+        (e.stations.position[std::min(k + 1, n - 1)] - e.stations.position[k > 0 ? k - 1 : 0]).normalized();
+    const core::Vector3 other = std::abs(along.z()) < 0.9 ? core::Vector3::UnitZ() : core::Vector3::UnitX();
+    const core::Vector3 u = along.cross(other).normalized(), v = along.cross(u);
+    const double angle = 2.0 * M_PI * side / TUBE_SIDES;
+    const core::Vector3 direction = std::cos(angle) * u + std::sin(angle) * v;
+    const double stddev = direction.cwiseProduct(e.position_stddev[k]).norm();
+    return core::Vector3(e.stations.position[k] + 2.0 * stddev * direction);
+  };
+  for (std::size_t k = 0; k + 1 < n; ++k)
+    for (int side = 0; side < TUBE_SIDES; ++side)
+      for (const auto& [dk, ds] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}})
+        m.points.push_back(pointMessage(corner(k + dk, side + ds)));
   return m;
 }
 
@@ -194,6 +225,7 @@ visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const mo
   const monitor::TetherEstimate& e = estimator.estimate();
   visualization_msgs::MarkerArray array;
   array.markers.push_back(tetherLine(header, estimator));
+  array.markers.push_back(uncertaintyTube(header, e));
   const core::EndForces& ends = e.stations.ends;
   array.markers.push_back(forceArrow(header, 0, config, e, ends.vessel, e.stations.position.front()));
   array.markers.push_back(forceArrow(header, 1, config, e, ends.vehicle, e.stations.position.back()));

@@ -17,6 +17,11 @@ static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == 
               "alarm state codes differ");
 static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
 
+namespace
+{
+constexpr double LEAST_CONTACT_PROBABILITY = 0.05;
+}
+
 void toMessage(const monitor::TetherEstimate& e, TetherState& out)
 {
   constexpr double NONE = monitor::TetherEstimate::NONE;
@@ -44,6 +49,16 @@ void toMessage(const monitor::TetherEstimate& e, TetherState& out)
   out.vessel_tension_stddev = e.vessel_tension_stddev;
   out.vehicle_tension_stddev = e.vehicle_tension_stddev;
   out.vehicle_position_stddev = e.vehicle_position_stddev;
+  out.tension_stddev.assign(e.has_stations ? e.tension_stddev.begin() : e.tension_stddev.end(),
+                            e.tension_stddev.end());
+  out.position_stddev.clear();
+  for (std::size_t i = 0; e.has_stations && i < e.position_stddev.size(); ++i)
+    out.position_stddev.push_back(vectorMessage(e.position_stddev[i]));
+  out.vessel_tension_p05 = e.vessel_tension_p05;
+  out.vessel_tension_p95 = e.vessel_tension_p95;
+  out.vehicle_tension_p05 = e.vehicle_tension_p05;
+  out.vehicle_tension_p95 = e.vehicle_tension_p95;
+  out.max_tension_p95 = e.max_tension_p95;
   out.max_tension = e.max_tension;
   out.max_tension_s = e.max_tension_s;
   out.working_utilisation = e.working_utilisation;
@@ -64,7 +79,9 @@ ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector
   for (std::size_t k = 0; k < obstacles.size() && k < e.contact.obstacles.size(); ++k)
   {
     const core::ContactSummary::ObstacleContact& touch = e.contact.obstacles[k];
-    if (!e.has_stations || !(touch.total > 0.0))
+    const bool touches = touch.total > 0.0;
+    const double probability = k < e.contact_probability.size() ? e.contact_probability[k] : (touches ? 1.0 : 0.0);
+    if (!e.has_stations || (!touches && probability < LEAST_CONTACT_PROBABILITY))
       continue;
     Contact contact;
     contact.obstacle = obstacles[k].name;
@@ -72,6 +89,7 @@ ContactArray contactsMessage(const monitor::TetherEstimate& e, const std::vector
     contact.place = pointMessage(touch.place);
     contact.s = touch.s;
     contact.largest = touch.largest;
+    contact.probability = probability;
     array.contacts.push_back(contact);
   }
   return array;
@@ -112,8 +130,7 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const monitor:
   message.child_frame_id = body.frame;
   message.pose.pose.position = pointMessage(e.vehicle.position);
   const bool is_turned = body.body_axes == monitor::BodyAxes::FRD;
-  const Eigen::Quaterniond half_turn =
-      is_turned ? Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0) : Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond half_turn = is_turned ? monitor::halfTurnAboutX() : Eigen::Quaterniond::Identity();
   const Eigen::Quaterniond orientation = e.vehicle.orientation * half_turn;
   message.pose.pose.orientation = quaternionMessage(orientation);
   const Eigen::Quaterniond to_body = orientation.conjugate();
@@ -139,6 +156,21 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
   message.header = header;
   message.wrench.force = vectorMessage(estimate.has_stations ? force : core::Vector3::Constant(NONE));
   message.wrench.torque = vectorMessage(estimate.has_stations ? moment : core::Vector3::Constant(NONE));
+  return message;
+}
+
+ParameterEstimate toMessage(const std_msgs::Header& header, const std::vector<monitor::ParameterEstimate>& report)
+{
+  ParameterEstimate message;
+  message.header = header;
+  for (const monitor::ParameterEstimate& entry : report)
+  {
+    message.name.push_back(entry.name);
+    message.mean.push_back(entry.mean);
+    message.stddev.push_back(entry.stddev);
+    message.configured.push_back(entry.configured);
+    message.configured_stddev.push_back(entry.configured_stddev);
+  }
   return message;
 }
 

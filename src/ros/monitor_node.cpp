@@ -19,6 +19,7 @@ namespace tether_monitor
 namespace
 {
 constexpr double ALARM_PERIOD = 1.0;        // [s]
+constexpr double PARAMETER_PERIOD = 1.0;    // [s]
 constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
 constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes take milliseconds
 constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
@@ -44,6 +45,8 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
   markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
   contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
+  if (estimator_.vehicle().ensemble())
+    parameters_pub_ = private_nh_.advertise<ParameterEstimate>("parameters", OUTPUT_QUEUE);
   if (estimator_.vehicle().takesThrust())
     vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
   reset_server_ = private_nh_.advertiseService("reset", &MonitorNode::reset, this);
@@ -246,6 +249,7 @@ void MonitorNode::publish(const ros::Time& stamp, double step_time)
   vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle, e.stations.ends.vehicle_moment));
   publishVehicle(header);
   publishContacts(header);
+  publishParameters(header);
   const bool due = secondsBetween(stamp, last_alarms_) >= ALARM_PERIOD || stamp < last_alarms_;
   if (estimator_.alarmsChanged() || acknowledged_ || due)
     publishAlarms(header);
@@ -259,6 +263,16 @@ void MonitorNode::publishVehicle(const std_msgs::Header& header)
   const monitor::BodyConfig& body = estimator_.config().vehicle;
   if (e.has_vehicle)
     vehicle_pub_.publish(vehicleMessage(header, body, e));
+}
+
+void MonitorNode::publishParameters(const std_msgs::Header& header)
+{
+  const double since_last = secondsBetween(header.stamp, last_parameters_);
+  if (!parameters_pub_ || !estimator_.estimate().has_stations ||
+      (since_last >= 0.0 && since_last < PARAMETER_PERIOD))
+    return;
+  last_parameters_ = header.stamp;
+  parameters_pub_.publish(toMessage(header, estimator_.parameters()));
 }
 
 // While something is touched, and once when nothing is any more.

@@ -42,7 +42,23 @@ TEST(RecordedMeasurements, AnEmptyFieldIsNone)
   EXPECT_FALSE(m.rows()[1].vessel->position.isMeasured(0)) << "the height alone";
   EXPECT_EQ(m.rows()[1].vessel->position.accuracy(2), monitor::Accuracy::UNSPECIFIED);
   EXPECT_EQ(m.rows()[2].vehicle->position.accuracy(0), monitor::Accuracy::UNSPECIFIED) << "as configured";
-  EXPECT_NEAR(m.vesselAtFirstRow().velocity.x(), 1.5, 1e-9);
+  EXPECT_FALSE(m.vesselAtFirstRow()) << "its velocity is not measured";
+}
+
+TEST(RecordedMeasurements, SensorsAtTheVesselEndAndSingleAxesMayBeThere)
+{
+  const RecordedMeasurements m(observedTable(HEADER + ",vessel_vx,vessel_vy,vessel_vz,tension,direction_x,"
+                                                      "direction_y,direction_z\n"
+                                                      "0,0,0,1,,,,2,1,0,,,,\n"
+                                                      "0.1,0.2,0.1,1,,,-98,,,,431.5,0,0.1,-2\n"));
+  EXPECT_FALSE(m.rows()[0].tension);
+  EXPECT_FALSE(m.rows()[0].direction);
+  EXPECT_EQ(m.rows()[1].tension.value(), 431.5);
+  EXPECT_EQ(m.rows()[1].direction.value(), core::Vector3(0.0, 0.1, -2.0));
+  EXPECT_FALSE(m.rows()[1].vehicle->position.isMeasured(1));
+  EXPECT_TRUE(m.rows()[1].vehicle->position.isMeasured(2)) << "a depth alone";
+  ASSERT_TRUE(m.vesselAtFirstRow());
+  EXPECT_EQ(m.vesselAtFirstRow()->velocity.x(), 2.0);
 }
 
 TEST(RecordedMeasurements, FaultsAreNamedWithTheirLine)
@@ -51,7 +67,12 @@ TEST(RecordedMeasurements, FaultsAreNamedWithTheirLine)
   EXPECT_NE(faultOf(HEADER + ",vehicle_speed\n0,0,0,1,,,,1\n").find("vehicle_speed is not known"),
             std::string::npos);
   EXPECT_NE(faultOf(HEADER + ",speed\n0,0,0,1,,,,1\n").find("speed is not known"), std::string::npos);
-  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,,3\n"), "line 2: vehicle_x, y and z must all be there or all be empty");
+  EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,,,\n1,0,,1,,,\n"),
+            "line 3: vessel_x, y and z must all be there, or x and y be empty, or all");
+  EXPECT_EQ(faultOf(HEADER + ",direction_x\n0,0,0,1,1,2,3,\n"),
+            "line 1: column direction_y is missing beside its companions");
+  EXPECT_NE(faultOf(HEADER + ",direction_x,direction_y,direction_z\n0,0,0,1,1,2,3,0,0,0\n").find("not zero"),
+            std::string::npos);
   EXPECT_EQ(faultOf(HEADER + "\n0,,,,1,2,3\n"), "line 2: the first row must have the vessel's position");
   EXPECT_EQ(faultOf(HEADER + "\n0,0,0,1,1,2,3\n0,0,0,1,1,2,3\n"),
             "line 3: t does not increase from the row before");

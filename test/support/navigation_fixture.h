@@ -25,6 +25,7 @@ inline Config observedConfig()
   c.navigation.position_stddev = 0.2;
   c.vessel.position_stddev = 0.02;
   c.invalid_timeout = 20.0;
+  c.uncertainty.members = 64;
   return c;
 }
 

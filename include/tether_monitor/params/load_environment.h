@@ -8,6 +8,7 @@
 namespace tether_monitor::params
 {
 /// The keys of `environment`, errors collected in `in`. @param folder  from which file names are counted.
-core::Environment loadEnvironment(ParameterReader in, const std::string& folder);
+/// @param current_stddev  in and out [m/s].
+core::Environment loadEnvironment(ParameterReader in, const std::string& folder, double& current_stddev);
 
 }  // namespace tether_monitor::params

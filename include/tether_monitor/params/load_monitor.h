@@ -5,8 +5,11 @@
 
 namespace tether_monitor::params
 {
-/// The keys of `solver`, errors collected in `in`.
-core::StepperOptions loadSolver(ParameterReader in);
+/// The keys of `solver`, errors collected in `in`. @param members  in and out: of the ensemble.
+core::StepperOptions loadSolver(ParameterReader in, int& members);
+
+/// The groups `tension_sensor` and `direction_sensor`.
+void loadSensors(ParameterReader& in, monitor::UncertaintyConfig& uncertainty);
 
 /// The keys of `monitor`, with one group below `alarms` for each of alarmQuantities(); errors collected in `in`.
 void loadMonitor(ParameterReader in, monitor::Config& config);

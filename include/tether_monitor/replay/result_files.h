@@ -15,7 +15,7 @@ enum class VehicleColumns
   NONE,
   RELATIVE,  ///< vehicle_x..z: vehicle end relative to the vessel end.
   POSE,      ///< vehicle_x..z, vehicle_qx..qw: world pose of a simulated vehicle.
-  OBSERVED   ///< the same, estimated, and vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev.
+  OBSERVED   ///< the same, estimated, and standard deviations and quantiles of tensions, stddev of the position.
 };
 
 /// ends.csv: end forces and extremes, a row an estimate.
@@ -28,6 +28,18 @@ class EndsFile
 
  private:
   VehicleColumns vehicle_;
+  files::CsvWriter csv_;
+};
+
+/// parameters.csv: what is believed of tether, water and vehicle, a row a parameter and time.
+class ParametersFile
+{
+ public:
+  explicit ParametersFile(const std::string& folder);
+  void write(double t, const std::vector<monitor::ParameterEstimate>& parameters);
+  void close() { csv_.close(); }
+
+ private:
   files::CsvWriter csv_;
 };
 

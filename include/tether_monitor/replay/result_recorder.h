@@ -39,6 +39,8 @@ class ResultRecorder
   EndsFile ends_;
   AlarmsFile alarms_;
   std::unique_ptr<ShapeFile> shape_;
+  std::unique_ptr<ParametersFile> parameters_;
+  double next_parameters_ = -std::numeric_limits<double>::infinity();
   std::unique_ptr<ContactsFile> contacts_;  // from the first estimate with obstacles on
   double next_shape_ = -std::numeric_limits<double>::infinity();
   double first_time_ = std::numeric_limits<double>::quiet_NaN();

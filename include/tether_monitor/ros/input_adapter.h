@@ -2,12 +2,14 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/Vector3Stamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <std_msgs/Float64.h>
 #include <tether_monitor/CurrentProfile.h>
 #include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
+#include <tether_monitor/TensionMeasurement.h>
 #include <tf2/buffer_core.h>
 
 #include <optional>
@@ -46,6 +48,10 @@ class InputAdapter
   /// Pose in header.frame_id, twist in the body's axes (child_frame_id).
   std::optional<InputError> accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
   std::optional<InputError> accept(const Payout& message, const ros::Time& now);
+  /// Load cell at the vessel end, in mode observed.
+  std::optional<InputError> accept(const TensionMeasurement& message, const ros::Time& now);
+  /// Direction in which the tether leaves the vessel, any length, in mode observed.
+  std::optional<InputError> accept(const geometry_msgs::Vector3Stamped& message, const ros::Time& now);
   std::optional<InputError> accept(const CurrentProfile& message, const ros::Time& now);
   std::optional<InputError> accept(const ObstacleArray& message, const ros::Time& now);
   /// Thrust on a simulated vehicle, in its own axes; other frames are refused.

@@ -5,6 +5,7 @@
 #include <tether_monitor/AlarmArray.h>
 #include <tether_monitor/ContactArray.h>
 #include <tether_monitor/Obstacle.h>
+#include <tether_monitor/ParameterEstimate.h>
 #include <tether_monitor/TetherState.h>
 
 #include <Eigen/Geometry>
@@ -14,6 +15,7 @@
 
 #include "tether_monitor/monitor/alarms/alarm_set.h"
 #include "tether_monitor/monitor/config/body_config.h"
+#include "tether_monitor/monitor/ensemble/parameter_report.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/ros/time_conversion.h"
 
@@ -38,6 +40,9 @@ nav_msgs::Odometry vehicleMessage(const std_msgs::Header& header, const monitor:
 /// Force [N] and moment [N m] at a tether end; NaN while there is none.
 geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& estimate,
                                            const core::Vector3& force, const core::Vector3& moment);
+
+/// What an ensemble believes of its parameters.
+ParameterEstimate toMessage(const std_msgs::Header& header, const std::vector<monitor::ParameterEstimate>& report);
 
 AlarmArray toMessage(const monitor::AlarmSet& alarms, const TimeOrigin& time);
 

@@ -49,6 +49,7 @@ class MonitorNode
   void step(const ros::Time& now);
   void publish(const ros::Time& stamp, double step_time);
   void publishVehicle(const std_msgs::Header& header);
+  void publishParameters(const std_msgs::Header& header);
   void publishContacts(const std_msgs::Header& header);
   void updateVibration();
   void updateSurroundings();
@@ -62,7 +63,7 @@ class MonitorNode
   InputAdapter adapter_;
   TimeOrigin time_;
   bool has_time_base_ = false;
-  ros::Time last_tick_, last_alarms_, last_seen_clock_;
+  ros::Time last_tick_, last_alarms_, last_parameters_, last_seen_clock_;
   bool acknowledged_ = false;
   TetherState state_message_;
   DiagnosticInputs diagnostic_inputs_;
@@ -77,7 +78,7 @@ class MonitorNode
   std::vector<EarlyMessage> early_;  // stamped ahead of the clock; in mode observed they wait for their time
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher state_pub_, vessel_force_pub_, vehicle_force_pub_, over_tension_pub_, alarms_pub_, markers_pub_;
-  ros::Publisher vehicle_pub_, contacts_pub_;
+  ros::Publisher vehicle_pub_, contacts_pub_, parameters_pub_;
   ros::ServiceServer reset_server_, acknowledge_server_;
   ros::Timer tick_timer_;
   ros::WallTimer diagnostics_timer_;

@@ -6,13 +6,15 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double CONFIDENCE_FACTOR = 2.0;  // standard deviations to the upper bound
+constexpr double NORMAL_P95 = 1.6448536;  // standard deviations to the 95 % quantile of a normal distribution
 
-// Upper confidence bound of the largest tension over the tension itself.
+// The 95 % quantile of the largest tension over its median.
 double upperBound(const TetherEstimate& e)
 {
+  if (e.max_tension > 0.0 && e.max_tension_p95 > e.max_tension)
+    return e.max_tension_p95 / e.max_tension;
   const double stddev = std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev);
-  return stddev > 0.0 && e.max_tension > 0.0 ? 1.0 + CONFIDENCE_FACTOR * stddev / e.max_tension : 1.0;
+  return stddev > 0.0 && e.max_tension > 0.0 ? 1.0 + NORMAL_P95 * stddev / e.max_tension : 1.0;
 }
 }  // namespace
 

@@ -31,6 +31,27 @@ std::vector<std::string> validate(const NavigationConfig& n)
   return all;
 }
 
+std::vector<std::string> validate(const UncertaintyConfig& u)
+{
+  core::BoundsCheck tether("tether.uncertainty.");
+  const auto relative = [&](core::BoundsCheck& check, const char* name, double value)
+  { check.within(name, value, 0.0, 1.0, "[-]"); };
+  relative(tether, "drag_normal", u.drag_normal);
+  relative(tether, "drag_tangential", u.drag_tangential);
+  tether.within("mass_per_length", u.mass_per_length, 0.0, 0.2, "[-]");
+  tether.within("length", u.length, 0.0, 0.1, "[-]");
+  relative(tether, "axial_stiffness", u.axial_stiffness);
+  core::BoundsCheck others;
+  others.within("environment.current_stddev", u.current, 0.0, 5.0, "m/s");
+  others.within("tension_sensor.stddev", u.tension_stddev, 1e-6, 1.0, "[-]");
+  others.within("tension_sensor.bias_stddev", u.tension_bias, 0.0, 1.0, "[-]");
+  others.within("direction_sensor.stddev", u.direction_stddev, 1e-4, 1.0, "rad");
+  others.within("solver.members", u.members, 64, 512, "tethers");
+  std::vector<std::string> all = tether.problems();
+  add(others.problems(), all);
+  return all;
+}
+
 void validateAccuracy(const std::string& prefix, const BodyConfig& body, std::vector<std::string>& all)
 {
   core::BoundsCheck check(prefix);
@@ -81,6 +102,7 @@ std::vector<std::string> validate(const Config& c)
     add(core::validate(c.vehicle_body), all);
   if (c.vehicle_mode == VehicleMode::OBSERVED)
     add(validate(c.navigation), all);
+  add(validate(c.uncertainty), all);
   validateAccuracy("vessel.", c.vessel, all);
   validateAccuracy("vehicle.", c.vehicle, all);
   validateClamp(c, "vessel", c.vessel, 0.0, all);

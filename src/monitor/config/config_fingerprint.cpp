@@ -58,8 +58,14 @@ void add(const core::RigidBody& body, BinaryWriter& to)
 
 void add(const NavigationConfig& n, BinaryWriter& to)
 {
-  to(n.gains, n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
+  to(n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
      n.invalid_stddev);
+}
+
+void add(const UncertaintyConfig& u, BinaryWriter& to)
+{
+  to(u.drag_normal, u.drag_tangential, u.mass_per_length, u.length, u.axial_stiffness, u.current, u.tension_stddev,
+     u.tension_bias, u.direction_stddev, u.members);
 }
 }  // namespace
 
@@ -75,6 +81,7 @@ std::uint64_t fingerprint(const Config& config)
   if (c.vehicle_mode == VehicleMode::OBSERVED)
   {
     add(c.navigation, to);
+    add(c.uncertainty, to);
     to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev, c.vehicle.least_stddev,
        c.invalid_timeout);
   }

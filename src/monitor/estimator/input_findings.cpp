@@ -23,6 +23,7 @@ void InputFindings::collect(const VesselEnd& vessel, const VehicleEnd& vehicle, 
   };
   ofBody(Subject::VESSEL, vessel.plausibility());
   ofBody(Subject::VEHICLE, vehicle.plausibility());
+  vehicle.reportImprobable([&](Subject subject, Implausibility what) { note(subject, what, t); });
   const PayoutPlausibility& winch = payout.plausibility();
   update(Subject::WINCH, Implausibility::LENGTH_LEAP, winch.lastLeap(), t);
   update(Subject::WINCH, Implausibility::OTHER_LENGTH, winch.lastOther(), t);

@@ -1,6 +1,7 @@
 #include "tether_monitor/monitor/estimator/observed_vehicle_end.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
 
@@ -18,10 +19,11 @@ ObservedVehicleEnd::ObservedVehicleEnd(const Config& config)
   : attachment_(config.vehicle.attachment),
     least_stddev_(config.vehicle.least_stddev),
     navigation_(config.navigation),
+    uncertainty_(config.uncertainty),
     pose_timeout_(config.pose_timeout),
     invalid_timeout_(config.invalid_timeout),
     working_load_(config.tether.working_load),
-    observer_(config, config.elements + 1)
+    ensemble_(config)
 {
 }
 
@@ -44,11 +46,11 @@ Rejection ObservedVehicleEnd::check(const PoseMeasurement* pose, const TwistMeas
     rejection =
         track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
   if (pose && canBeReordered(rejection) && !pose->position.isEmpty())
-    rejection = observer_.check(positionFix(*pose));
+    rejection = ensemble_.check(positionFix(*pose));
   if (canBeReordered(rejection) && twist)
     rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
   if (twist && canBeReordered(rejection) && !twist->velocity.isEmpty())
-    rejection = observer_.check(velocityFix(*twist));
+    rejection = ensemble_.check(velocityFix(*twist));
   return canBeReordered(rejection) ? Rejection::NONE : rejection;
 }
 
@@ -62,17 +64,35 @@ Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasur
     const Rejection order =
         track_.addPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
     if (pose->orientation && order == Rejection::NONE)
-      observer_.setAttitude(pose->orientation->normalized());
+      ensemble_.setAttitude(pose->orientation->normalized());
     if (!pose->position.isEmpty())
-      observer_.add(positionFix(*pose));
+      ensemble_.add(positionFix(*pose));
   }
   if (twist)
   {
     track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
     if (!twist->velocity.isEmpty())
-      observer_.add(velocityFix(*twist));
+      ensemble_.add(velocityFix(*twist));
   }
   return Rejection::NONE;
+}
+
+Rejection ObservedVehicleEnd::addTension(double t, double tension)
+{
+  MeasuredVector value = MeasuredVector::withStddev({tension, 0.0, 0.0}, core::Vector3::Ones());
+  value.setNotMeasured(1);
+  value.setNotMeasured(2);
+  return ensemble_.add({t, VehicleMeasurement::Kind::TENSION, value});
+}
+
+Rejection ObservedVehicleEnd::addDirection(double t, const core::Vector3& direction)
+{
+  const double length = direction.norm();
+  if (!(length > 0.0) || !std::isfinite(length))
+    return Rejection::NOT_FINITE;
+  return ensemble_.add(
+      {t, VehicleMeasurement::Kind::DIRECTION,
+       MeasuredVector::withStddev(direction / length, core::Vector3::Constant(uncertainty_.direction_stddev))});
 }
 
 void ObservedVehicleEnd::setThrust(double t, const core::Wrench& thrust)
@@ -83,70 +103,81 @@ void ObservedVehicleEnd::setThrust(double t, const core::Wrench& thrust)
 void ObservedVehicleEnd::clear()
 {
   track_.clear();
-  observer_.clear();
+  ensemble_.clear();
   thrust_.clear();
 }
 
 double ObservedVehicleEnd::overdue(double age) const
 {
-  return std::max(observer_.overdueTime(age), 0.0);
+  return std::max(ensemble_.overdueTime(age), 0.0);
 }
 
 void ObservedVehicleEnd::aimAtStart(double t, EndTargets& targets)
 {
   const core::Vector3& velocity = targets.vessel.velocity;
-  targets.vehicle_age = observer_.measuredAge(t);
-  const std::optional<MeasuredVector> measured = observer_.initialPositionEstimate(t, velocity);
+  targets.vehicle_age = ensemble_.measuredAge(t);
+  const std::optional<MeasuredVector> measured = ensemble_.initialPositionEstimate(t, velocity);
   const core::Vector3 place = measured ? measured->value() : targets.vessel.position;
   targets.vehicle = {place + track_.lastOrientation() * attachment_, velocity};
   if (measured)
     targets.vehicle_covariance = measured->covariance();
 }
 
+core::Matrix3 ObservedVehicleEnd::positionCovariance(const EndTargets& targets) const
+{
+  const double variance = navigation_.position_stddev * navigation_.position_stddev;
+  return targets.vehicle_covariance.value_or(variance * core::Matrix3::Identity());
+}
+
 core::SolveReport ObservedVehicleEnd::findStart(CableSimulation& simulation, const core::SteadyEnds& ends,
                                                 const EndTargets& targets, VehicleInitialization& start) const
 {
-  const double variance = navigation_.position_stddev * navigation_.position_stddev;
-  const core::Matrix3 covariance = targets.vehicle_covariance.value_or(variance * core::Matrix3::Identity());
-  return observer_.initialize(simulation.steady_solver, simulation.model, ends, covariance,
-                              targets.vessel_velocity_stddev, thrustInWorld(), start);
+  return ensemble_.initialize(simulation.steady_solver, simulation.model, ends, positionCovariance(targets),
+                              thrustInWorld(), start);
+}
+
+bool ObservedVehicleEnd::completeStart(CableSimulation& simulation, const core::SteadyEnds& ends,
+                                       const EndTargets& targets, VehicleInitialization& start) const
+{
+  return ensemble_.findMembers(simulation.steady_solver, simulation.model, ends, positionCovariance(targets),
+                               targets.vessel_velocity_stddev, thrustInWorld(), start);
 }
 
 core::CableModel ObservedVehicleEnd::modelAtRest(const core::CableModel& model,
                                                  const VehicleInitialization& start) const
 {
-  return observer_.modelWithInitialForces(model, start, thrustInWorld());
+  return ensemble_.modelWithInitialForces(model, start, thrustInWorld());
 }
 
 void ObservedVehicleEnd::begin(const VehicleInitialization& start, const EndTargets& targets,
                                CableSimulation& simulation)
 {
-  const double measured_at = simulation.state.time - targets.vehicle_age;
-  observer_.begin(simulation.model, start, measured_at, simulation.state);
+  ensemble_.begin(start, simulation.state.time - targets.vehicle_age, simulation);
 }
 
 core::SolveReport ObservedVehicleEnd::advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                                               CableSimulation& simulation)
 {
   paths.vehicle_thrust = thrust_.at(t);
-  return observer_.advance(simulation.model, simulation.stepper, paths, targets.vessel_stddev,
-                           targets.vessel_error_rate, t, simulation.state);
+  return ensemble_.advance(simulation.model, paths, targets.vessel_stddev, targets.vessel_error_rate, t,
+                           simulation.state);
 }
 
 void ObservedVehicleEnd::moveObstacle(std::size_t k, const CableSimulation& simulation)
 {
-  observer_.moveObstacle(k, simulation.state.obstacles[k], simulation.state.time);
+  ensemble_.moveObstacle(k, simulation.state.obstacles[k]);
 }
 
 void ObservedVehicleEnd::describe(CableSimulation& simulation, TetherEstimate& estimate) const
 {
-  describeVehicle(simulation.updatedCable(), simulation.state, estimate);
-  observer_.describe(estimate);
+  const core::DeployedCable& cable = simulation.updatedCable();
+  describeVehicle(cable, simulation.state, estimate);
+  ensemble_.describe(cable, estimate);
 }
 
 Reason ObservedVehicleEnd::invalidReason(const TetherEstimate& e, const EndTargets& targets) const
 {
-  if (observer_.overdueTime(observer_.age(e.time)) > invalid_timeout_)
+  if (ensemble_.overdueTime(ensemble_.age(e.time)) > invalid_timeout_)
     return Reason::VEHICLE_STALE;
   const double stddev = largestTensionStddev(e) / working_load_;
   // The waves are still to come, and no alarm is wanted for what is missing of them.
@@ -157,19 +188,17 @@ Reason ObservedVehicleEnd::invalidReason(const TetherEstimate& e, const EndTarge
 
 Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
 {
-  if (observer_.exceedsTetherLength())
-    return Reason::OUT_OF_RANGE;
-  if (observer_.isInconsistent(e.time))
+  if (ensemble_.isInconsistent(e.time))
     return Reason::DISAGREEMENT;
   const bool thrust_is_late = thrust_.age(e.time).value_or(0.0) > pose_timeout_;
-  if (thrust_is_late || observer_.overdueTime(observer_.age(e.time)) > pose_timeout_)
+  if (thrust_is_late || ensemble_.overdueTime(ensemble_.age(e.time)) > pose_timeout_)
     return Reason::VEHICLE_STALE;
   return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
 }
 
 bool ObservedVehicleEnd::isValid(const core::CableModel& model) const
 {
-  return track_.isValid() && thrust_.isValid() && observer_.isValid(model);
+  return track_.isValid() && thrust_.isValid() && ensemble_.isValid(model);
 }
 
 }  // namespace tether_monitor::monitor

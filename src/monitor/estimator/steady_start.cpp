@@ -23,7 +23,7 @@ class StartSearch
   bool run(double t, const std::vector<core::Obstacle>& obstacles)
   {
     return placeOrigin(obstacles) && setLength() && findShape() && refineMesh() && enterState(t) &&
-           amplifyDrag() && settleContact() && addHeave();
+           amplifyDrag() && settleContact() && complete() && addHeave();
   }
 
  private:
@@ -128,6 +128,14 @@ class StartSearch
     else if (!settled.isUsable())
       return false;
     return isFound();
+  }
+
+  bool complete()
+  {
+    if (vehicle_.completeStart(simulation_, ends_, targets_, start_.vehicle))
+      return true;
+    simulation_.last_solve.status = core::SolveStatus::NOT_CONVERGED;
+    return false;
   }
 
   // The ends' motion of the moment on top of the mean: in between by the arc length, as a taut tether moves.

@@ -47,6 +47,15 @@ void TetherEstimator::reset()
   alarms_.resetTimers();
 }
 
+std::vector<ParameterEstimate> TetherEstimator::parameters() const
+{
+  const TetherEnsemble* ensemble = vehicle().ensemble();
+  if (!ensemble || !isRunning())
+    return {};
+  return parameterReport(*ensemble, config_, simulation().length(),
+                         simulation().model.environment().current().at(0.0));
+}
+
 std::vector<std::uint8_t> TetherEstimator::save() const
 {
   return EstimatorSnapshot::save(*this);

@@ -38,6 +38,35 @@ const char* describe(Implausibility what)
       return "the deployed length stays while a rate is reported: its counter has stopped, or the rate is wrong";
     case Implausibility::CONTRADICTORY_RATE:
       return "the rate of pay-out is not that with which the length changes (> 0 pays out): it is not used";
+    case Implausibility::IMPROBABLE_FORCE:
+      return "only a force on it far beyond vehicle.force_stddev explains where it is: look at the sign of its "
+             "height "
+             "(z is up), at its mass and volume, and at world_frame";
+    case Implausibility::IMPROBABLE_LENGTH:
+      return "only a length far from the deployed one explains the measurements: look at tether.length, the "
+             "winch's "
+             "counter, and the places of the tether's ends on vessel and vehicle";
+    case Implausibility::IMPROBABLE_DRAG:
+      return "only a drag far from the configured one explains the measurements: look at tether.drag_normal and "
+             "drag_tangential (both on the diameter), and at fouling";
+    case Implausibility::IMPROBABLE_MASS:
+      return "only a mass far from the configured one explains the measurements: look at tether.mass_per_length "
+             "(dry) "
+             "and its diameter";
+    case Implausibility::IMPROBABLE_STIFFNESS:
+      return "only a stiffness far from the configured one explains the measurements: look at "
+             "tether.axial_stiffness";
+    case Implausibility::IMPROBABLE_CURRENT:
+      return "only a current far from the one told explains the measurements: look at environment.current, its "
+             "axes "
+             "(x east, y north) and at environment.current_stddev";
+    case Implausibility::IMPROBABLE_VEHICLE_DRAG:
+      return "only a drag far from the configured one explains its motion: look at vehicle.drag_area";
+    case Implausibility::IMPROBABLE_TENSION:
+      return "the load cell is off by far more than tension_sensor.bias_stddev: look at its zero and its unit";
+    case Implausibility::IMPROBABLE_DIRECTION:
+      return "the measured direction of the tether is off by far more than direction_sensor.stddev: look at its "
+             "frame";
     case Implausibility::COUNT:
       break;
   }
@@ -54,6 +83,12 @@ const char* describe(Subject subject)
       return "vehicle";
     case Subject::WINCH:
       return "winch";
+    case Subject::TETHER:
+      return "tether";
+    case Subject::WATER:
+      return "water";
+    case Subject::SENSOR:
+      return "sensor at the vessel end";
     case Subject::COUNT:
       break;
   }

@@ -99,8 +99,7 @@ TEST(Allocation, NorDoesAnObservedVehicle)
   const long before = allocations;
   run(600, 3000);
   EXPECT_EQ(allocations - before, 0);
-  EXPECT_GT(estimator.vehicle().observer()->replayedSteps(), 1000);
-  EXPECT_GT(estimator.vehicle().observer()->innovations().refused, 3);
+  EXPECT_GT(estimator.vehicle().ensemble()->innovations().refused, 3);
 }
 
 TEST(Allocation, NorDoBodiesSurfacesWavesAndTheWinch)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "support/navigation_fixture.h"
 
@@ -40,36 +41,40 @@ TEST(ObservedVehicle, FollowsWithoutSpikesAndKnowsHowSureItIs)
 
 TEST(ObservedVehicle, LateMeasurementsGiveTheSameAsThoseInTime)
 {
-  NavigationFixture in_time, late;
-  late.lateness = 1.0;
-  in_time.run(20.0);
-  late.run(20.0);
-  // The next positions are the same; in one case each comes a second late.
-  for (int i = 0; i < 600; ++i)
+  for (const double latency : {1.0, 2.5})
   {
-    const double t = in_time.t + 0.05;
-    in_time.t = late.t = t;
-    const PoseMeasurement vessel{t, in_time.vessel};
-    if (i % 4 == 0)
+    NavigationFixture sea;
+    sea.run(20.0);
+    TetherEstimator late = sea.estimator;
+    // A minute of the same measurements, which come late in one case; then they have all come.
+    std::vector<PoseMeasurement> fixes;
+    std::size_t sent = 0;
+    const double begin = sea.t;
+    for (int i = 1; i <= 1200; ++i)
     {
-      in_time.estimator.addVessel(vessel);
-      late.estimator.addVessel(vessel);
+      const double t = sea.t = begin + 0.05 * i;
+      const PoseMeasurement vessel{t, sea.vessel};
+      if (i % 4 == 0)
+        for (TetherEstimator* each : {&sea.estimator, &late})
+          each->addVessel(vessel);
+      if (i % 20 == 10 && i < 1200 - 20 * latency)
+      {
+        fixes.push_back({t, Vector3(sea.vehicleAt(t) + 0.2 * sea.noise())});
+        sea.estimator.addVehicle(fixes.back());
+      }
+      if (sent < fixes.size() && fixes[sent].t <= t - latency)
+      {
+        ASSERT_EQ(late.addVehicle(fixes[sent++]), Rejection::NONE);
+      }
+      sea.estimator.tick(t);
+      late.tick(t);
     }
-    if (i % 20 == 10)
-    {
-      in_time.estimator.addVehicle(PoseMeasurement{t, in_time.vehicleAt(t)});
-      EXPECT_EQ(late.estimator.addVehicle(PoseMeasurement{t - 1.0, in_time.vehicleAt(t - 1.0)}), Rejection::NONE);
-    }
-    in_time.estimator.tick(t);
-    late.estimator.tick(t);
+    EXPECT_EQ(sent, fixes.size());
+    const TetherEstimate &a = sea.estimator.estimate(), &b = late.estimate();
+    EXPECT_LT((a.vehicle.position - b.vehicle.position).norm(), 0.3 * a.vehicle_position_stddev) << latency;
+    EXPECT_NEAR(a.vessel_tension, b.vessel_tension, 0.1 * a.vessel_tension_stddev) << latency;
+    EXPECT_NEAR(a.vessel_tension_stddev, b.vessel_tension_stddev, 0.1 * a.vessel_tension_stddev) << latency;
   }
-  const TetherEstimate& a = in_time.estimator.estimate();
-  const TetherEstimate& b = late.estimator.estimate();
-  EXPECT_NEAR(a.vehicle.position.x(), b.vehicle.position.x(), 0.1);
-  EXPECT_NEAR(a.vessel_tension, b.vessel_tension,
-              2.0 * std::hypot(a.vessel_tension_stddev, b.vessel_tension_stddev));
-  EXPECT_LT(a.vessel_tension_stddev, 0.05 * a.vessel_tension);
-  EXPECT_GT(late.estimator.vehicle().observer()->replayedSteps(), 300);
 }
 
 TEST(ObservedVehicle, OrderOfArrivalDoesNotMatter)
@@ -97,7 +102,9 @@ TEST(ObservedVehicle, OrderOfArrivalDoesNotMatter)
   EXPECT_EQ(other.addVehicle(PoseMeasurement{t - 0.6, sea.vehicleAt(t)}), Rejection::NONE);
   EXPECT_EQ(other.addVehicle(PoseMeasurement{t - 0.2, sea.vehicleAt(t)}), Rejection::NONE);
   other.tick(t + 0.1);
-  EXPECT_EQ(sea.estimator.tick(t + 0.15).vessel_tension, other.tick(t + 0.15).vessel_tension);
+  const TetherEstimate c = sea.estimator.tick(t + 0.15), d = other.tick(t + 0.15);
+  EXPECT_NEAR(c.vessel_tension, d.vessel_tension, 0.1 * c.vessel_tension_stddev);
+  EXPECT_LT((c.vehicle.position - d.vehicle.position).norm(), 0.1 * c.vehicle_position_stddev);
 }
 
 TEST(ObservedVehicle, TooLateIsRefusedByName)
@@ -163,13 +170,16 @@ TEST(ObservedVehicle, ABandThatIsTooWideIsUncertain)
 TEST(ObservedVehicle, FindsAForceThatNobodyTold)
 {
   // Held 20 m aside of where it would hang: by some 100 N on a body that weighs 406 N in water.
-  NavigationFixture sea;
+  Config config = observedConfig();
+  config.uncertainty.current = 0.02;  // or it might be a current
+  config.navigation.force_stddev = 150.0;
+  NavigationFixture sea(config);
   sea.aside = 20.0;
   sea.depth = 1.0 - std::sqrt(100.05 * 100.05 - 400.0);
   const TetherEstimate& e = sea.run(180.0);
   ASSERT_NE(e.status, Status::INVALID);
   const double weight = 9.81 * (400.0 - 1025.0 * 0.35);
-  EXPECT_NEAR(e.disturbance.x(), weight * 20.0 / 98.0, 25.0);
+  EXPECT_NEAR(e.disturbance.x(), weight * 20.0 / 98.0, 45.0);
   EXPECT_NEAR(e.disturbance.x(), weight * 20.0 / 98.0, 3.0 * e.disturbance_stddev);
 }
 
@@ -182,6 +192,7 @@ TEST(ObservedVehicle, TheWarningLooksAtTheEdgeOfTheBand)
   near.working_utilisation = 0.7;
   near.max_tension = 0.7 * 5000.0;
   near.vessel_tension_stddev = near.vehicle_tension_stddev = 400.0;
+  near.max_tension_p95 = TetherEstimate::NONE;
   for (int i = 0; i < 10; ++i)
   {
     near.time = e.time + 0.05 * i;
@@ -193,7 +204,7 @@ TEST(ObservedVehicle, TheWarningLooksAtTheEdgeOfTheBand)
     warned = warned || (alarm.definition().name == "over_tension_warning" && alarm.isActive());
     limit = limit || (alarm.definition().name == "over_tension" && alarm.isActive());
   }
-  EXPECT_TRUE(warned) << "0.7 + 2 * 400 / 5000 > 0.8";
+  EXPECT_TRUE(warned) << "0.7 + 1.64 * 400 / 5000 > 0.8";
   EXPECT_FALSE(limit);
 }
 

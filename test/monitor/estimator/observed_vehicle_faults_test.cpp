@@ -48,9 +48,9 @@ TEST(ObservedVehicle, AFixAtTheTimeOfASavedStateCounts)
   NavigationFixture sea;
   sea.lateness = 1.0;  // on the grid of the ticks
   sea.run(20.0);
-  const long before = sea.estimator.vehicle().observer()->innovations().accepted;
+  const long before = sea.estimator.vehicle().ensemble()->innovations().accepted;
   sea.run(30.0);
-  EXPECT_EQ(sea.estimator.vehicle().observer()->innovations().accepted - before, 30);
+  EXPECT_EQ(sea.estimator.vehicle().ensemble()->innovations().accepted - before, 30);
 }
 
 TEST(ObservedVehicle, LongLatencyAtAHighRateIsOnlyWork)
@@ -115,7 +115,7 @@ TEST(ObservedVehicle, WhatWasNotMeasuredIsNoPosition)
   NavigationFixture sea;
   sea.run(40.0);
   sea.vehicle_alive = false;
-  const long before = sea.estimator.vehicle().observer()->innovations().accepted;
+  const long before = sea.estimator.vehicle().ensemble()->innovations().accepted;
   PoseMeasurement attitude, depth;
   for (int i = 0; i < 400; ++i)
   {
@@ -132,7 +132,7 @@ TEST(ObservedVehicle, WhatWasNotMeasuredIsNoPosition)
     sea.run(0.05);
   }
   EXPECT_EQ(sea.estimator.estimate().reason, Reason::VEHICLE_STALE) << "nobody has seen where it is";
-  EXPECT_NEAR(sea.estimator.vehicle().observer()->innovations().accepted - before, 50, 2) << "the depths";
+  EXPECT_NEAR(sea.estimator.vehicle().ensemble()->innovations().accepted - before, 50, 2) << "the depths";
 }
 
 TEST(ObservedVehicle, AWildVelocityOfTheVesselIsNotFollowed)
@@ -172,4 +172,82 @@ TEST(ObservedVehicle, ALateFixDoesNotUndoAnObstacle)
               20.0, 1e-6);
 }
 
+TEST(ObservedVehicle, AfterAnHourTheEnsembleStillHasItsSpread)
+{
+  Config config = observedConfig();
+  config.rate = 5.0;
+  config.solver.step = 0.2;
+  NavigationFixture sea(config);
+  for (int i = 0; i < 18000; ++i)
+  {
+    const double t = 0.2 * i;
+    sea.estimator.addVessel(PoseMeasurement{t, Vector3(sea.vessel + 0.02 * sea.noise())});
+    if (i % 5 == 0)
+      sea.fix(t);
+    sea.estimator.tick(t);
+  }
+  const TetherEstimate& e = sea.estimator.estimate();
+  ASSERT_NE(e.status, Status::INVALID) << describe(e.reason);
+  for (const ParameterEstimate& p : sea.estimator.parameters())
+  {
+    if (p.name.find("current") != std::string::npos)
+    {
+      EXPECT_GT(p.stddev, 0.1 * p.configured_stddev) << p.name << ": it hangs where the current lets it";
+    }
+    else if (p.name != "tether.length")
+    {
+      EXPECT_GT(p.stddev, 0.4 * p.configured_stddev) << p.name;
+    }
+    EXPECT_LT(std::abs(p.mean - p.configured), 3.0 * p.configured_stddev) << p.name;
+  }
+  EXPECT_EQ(sea.estimator.vehicle().ensemble()->filter().resets(), 0);
+}
+
+TEST(ObservedVehicle, AVehicleInTheAirIsNeverFine)
+{
+  NavigationFixture sea;
+  sea.depth = 60.0;
+  for (int i = 0; i < 800; ++i)
+    ASSERT_NE(sea.run(0.05).status, Status::OK) << sea.t;
+  EXPECT_TRUE(sea.estimator.findings().holds(Subject::VEHICLE, Implausibility::IMPROBABLE_FORCE, sea.t, 60.0) ||
+              sea.estimator.findings().holds(Subject::VEHICLE, Implausibility::VEHICLE_ABOVE_WATER, sea.t, 60.0));
+}
+
+TEST(ObservedVehicle, ALengthThatIsFarOffIsNamed)
+{
+  // It hangs 4 m lower than its tether is long: 5 standard deviations.
+  NavigationFixture sea;
+  sea.depth = -103.0;
+  int fine = 0;
+  for (int i = 0; i < 2400; ++i)
+    fine += sea.run(0.05).status == Status::OK;
+  EXPECT_LT(fine, 200) << "while it learns";
+  EXPECT_TRUE(sea.estimator.findings().holds(Subject::TETHER, Implausibility::IMPROBABLE_LENGTH, sea.t, 60.0));
+}
+
+TEST(ObservedVehicle, ALoadCellMakesTheBandNarrowerAndItsBiasIsKnownToBeThere)
+{
+  Config config = observedConfig();
+  config.navigation.force_stddev = 150.0;
+  NavigationFixture without(config), with(config);
+  without.run(60.0);
+  double tension = without.estimator.estimate().vessel_tension;
+  const double bias = 30.0;
+  for (int i = 0; i < 1200; ++i)
+  {
+    with.run(0.05);
+    if (i % 2 == 0)
+    {
+      ASSERT_EQ(with.estimator.addTension(with.t, 480.0 + bias + 5.0 * with.noise().x()), Rejection::NONE);
+    }
+  }
+  const TetherEstimate& e = with.estimator.estimate();
+  EXPECT_LT(e.vessel_tension_stddev, without.estimator.estimate().vessel_tension_stddev);
+  EXPECT_NEAR(e.vessel_tension, 480.0, 2.5 * e.vessel_tension_stddev) << "without it " << tension;
+  EXPECT_GT(e.vessel_tension_stddev, 20.0) << "a bias of 2 % of 5000 N is not known away";
+  EXPECT_EQ(with.estimator.addTension(with.t, NAN), Rejection::NOT_FINITE);
+  EXPECT_EQ(with.estimator.addDirection(with.t, Vector3::Zero()), Rejection::NOT_FINITE);
+  EXPECT_EQ(with.estimator.addDirection(with.t, Vector3(0.0, 0.01, -1.0)), Rejection::NONE);
+  EXPECT_NE(with.run(1.0).status, Status::INVALID);
+}
 }  // namespace tether_monitor::monitor

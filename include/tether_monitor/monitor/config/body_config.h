@@ -28,6 +28,12 @@ inline core::Vector3 turnedAboutX(const core::Vector3& v)
   return {v.x(), -v.y(), -v.z()};
 }
 
+/// The same turn of a body.
+inline Eigen::Quaterniond halfTurnAboutX()
+{
+  return {0.0, 1.0, 0.0, 0.0};
+}
+
 /// How one end of the tether is fastened to its body, and what its messages mean.
 struct BodyConfig
 {

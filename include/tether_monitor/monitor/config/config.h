@@ -12,6 +12,7 @@
 #include "tether_monitor/monitor/config/alarm_config.h"
 #include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/config/navigation_config.h"
+#include "tether_monitor/monitor/config/uncertainty_config.h"
 
 namespace tether_monitor::monitor
 {
@@ -31,6 +32,7 @@ struct Config
   VehicleMode vehicle_mode = VehicleMode::TRACKED;
   core::RigidBody vehicle_body;  ///< set in modes free and observed; its attachment is that of `vehicle`.
   NavigationConfig navigation;   ///< of the vehicle.
+  UncertaintyConfig uncertainty;
 
   core::StepperOptions solver;
   double rate = 20.0;            ///< [Hz], > 0.

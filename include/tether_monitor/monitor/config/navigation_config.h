@@ -4,15 +4,6 @@
 
 namespace tether_monitor::monitor
 {
-/// How an observed vehicle is corrected. All but KALMAN are for comparison (bench/navigation_noise.cpp) and not in
-/// the parameter tree.
-enum class ObserverGains
-{
-  KALMAN,           ///< the filter of doc/estimation.md.
-  NO_TETHER_MODEL,  ///< the same, but it takes the vehicle for a free body.
-  FIXED             ///< constant gains.
-};
-
 /// How good the vehicle's navigation is, and how little is known of the forces on it; for OBSERVED.
 struct NavigationConfig
 {
@@ -21,9 +12,8 @@ struct NavigationConfig
   double latency = 0.0;                ///< how much older a measurement is than its stamp [s], 0..30.
   std::optional<double> force_stddev;  ///< disturbance force [N], > 0; none: 0.16 m/s^2 times the mass.
   double drag_stddev = 0.15;           ///< of the relative error of the drag areas [-], > 0.
-  ObserverGains gains = ObserverGains::KALMAN;
-  double degraded_stddev = 0.15;  ///< of a tension, over the working load: DEGRADED above [-], > 0.
-  double invalid_stddev = 0.5;    ///< of a tension, INVALID above; >= degraded_stddev.
+  double degraded_stddev = 0.15;       ///< of a tension, over the working load: DEGRADED above [-], > 0.
+  double invalid_stddev = 0.5;         ///< of a tension, INVALID above; >= degraded_stddev.
 };
 
 }  // namespace tether_monitor::monitor

@@ -47,7 +47,13 @@ struct TetherEstimate
   bool has_vehicle = false;               ///< in modes free and observed, unless INVALID.
   double vessel_tension_stddev = NONE;    ///< standard deviation [N]; in mode observed, like all that follow.
   double vehicle_tension_stddev = NONE;   ///< [N]
-  double vehicle_position_stddev = NONE;  ///< root mean square over the axes [m].
+  double vessel_tension_p05 = NONE, vessel_tension_p95 = NONE;    ///< quantiles [N].
+  double vehicle_tension_p05 = NONE, vehicle_tension_p95 = NONE;  ///< quantiles [N].
+  double max_tension_p95 = NONE;                                  ///< quantile [N].
+  std::vector<double> tension_stddev;                             ///< along the stations [N]; empty: not known.
+  std::vector<core::Vector3> position_stddev;  ///< along the stations, world axes [m]; likewise.
+  std::vector<double> contact_probability;  ///< of every obstacle: share of the members that touch it; likewise.
+  double vehicle_position_stddev = NONE;    ///< root mean square over the axes [m].
   core::Matrix3 vehicle_position_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2].
   core::Matrix3 vehicle_velocity_covariance = core::Matrix3::Constant(NONE);  ///< world axes [m^2/s^2].
   core::Vector3 disturbance = core::Vector3::Constant(NONE);                  ///< estimated disturbance force [N].
@@ -65,9 +71,10 @@ struct TetherEstimate
       max_tension_s, min_tension, min_tension_s, vessel_tension, vehicle_tension, working_utilisation,
       working_utilisation_s, breaking_utilisation, min_bend_radius, min_bend_radius_s, governing_bend_radius,
       governing_bend_radius_s, vessel_end_angle, vehicle_end_angle, seabed_contact_length, touchdown_s, contact,
-      vehicle, has_vehicle, vessel_tension_stddev, vehicle_tension_stddev, vehicle_position_stddev,
-      vehicle_position_covariance, vehicle_velocity_covariance, disturbance, disturbance_stddev, vessel_age,
-      vehicle_age, vehicle_overdue, payout_age);
+      vehicle, has_vehicle, vessel_tension_stddev, vehicle_tension_stddev, vessel_tension_p05, vessel_tension_p95,
+      vehicle_tension_p05, vehicle_tension_p95, max_tension_p95, tension_stddev, position_stddev,
+      contact_probability, vehicle_position_stddev, vehicle_position_covariance, vehicle_velocity_covariance,
+      disturbance, disturbance_stddev, vessel_age, vehicle_age, vehicle_overdue, payout_age);
   }
 };
 

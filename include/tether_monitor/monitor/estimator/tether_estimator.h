@@ -6,6 +6,7 @@
 
 #include "tether_monitor/monitor/alarms/alarm_set.h"
 #include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/ensemble/parameter_report.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/monitor/estimator/estimation_cycle.h"
 
@@ -47,6 +48,13 @@ class TetherEstimator
   }
   /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
   void noteRejectedInput(double t) { cycle_.watchdog().noteRejectedInput(t); }
+  /// A reading of the load cell at the vessel end [N] at time t [s]; for mode observed.
+  Rejection addTension(double t, double tension) { return cycle_.vehicle().addTension(t, tension); }
+  /// The direction in which the tether leaves the vessel at time t [s], any length, world axes; for mode observed.
+  Rejection addDirection(double t, const core::Vector3& direction)
+  {
+    return cycle_.vehicle().addDirection(t, direction);
+  }
   /// Replaces the current profile, from the next step on.
   void setCurrent(const core::CurrentProfile& current);
   /// Replaces the depth of the sea [m], from the next step on. @return false, and nothing changes, if there is no
@@ -123,6 +131,8 @@ class TetherEstimator
   /// How long such a thing stays in the tether [s].
   double memory() const { return cycle_.memory(); }
   const core::VortexShedding& vortexShedding() const { return cycle_.vortexShedding(); }
+  /// What is believed of tether, water and vehicle; empty unless an ensemble is in motion. Allocates.
+  std::vector<ParameterEstimate> parameters() const;
 
   /// Everything that changes while it works, as bytes: see binary_archive.h. Inputs and estimate included.
   std::vector<std::uint8_t> save() const;

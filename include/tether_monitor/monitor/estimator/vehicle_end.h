@@ -1,18 +1,19 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "tether_monitor/core/base/binary_archive.h"
 #include "tether_monitor/core/cable/boundary_conditions.h"
 #include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/ensemble/tether_ensemble.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/monitor/estimator/end_targets.h"
 #include "tether_monitor/monitor/measurements/measurements.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
 #include "tether_monitor/monitor/measurements/motion_plausibility.h"
 #include "tether_monitor/monitor/model/cable_simulation.h"
-#include "tether_monitor/monitor/vehicle/vehicle_observer.h"
 
 namespace tether_monitor::monitor
 {
@@ -35,6 +36,10 @@ class VehicleEnd
   virtual bool needsPoses() const { return true; }
   /// True if measurements may come late and out of order.
   virtual bool acceptsLateMeasurements() const { return false; }
+  /// Accepts a reading of the load cell at the vessel end [N].
+  virtual Rejection addTension(double /*t*/, double /*tension*/) { return Rejection::NONE; }
+  /// Accepts the direction in which the tether leaves the vessel, any length, world axes.
+  virtual Rejection addDirection(double /*t*/, const core::Vector3& /*direction*/) { return Rejection::NONE; }
   virtual void clear() = 0;
 
   /// True if there are measurements enough to begin at time t [s].
@@ -56,6 +61,12 @@ class VehicleEnd
   /// The same near a shape that was found, for other drag: `start` in and out.
   virtual core::SolveReport refineStart(CableSimulation& simulation, const core::SteadyEnds& ends,
                                         const EndTargets& targets, VehicleInitialization& start) const;
+  /// What else there is to find of a start whose shape is final. @return false if it cannot be found.
+  virtual bool completeStart(CableSimulation& /*simulation*/, const core::SteadyEnds& /*ends*/,
+                             const EndTargets& /*targets*/, VehicleInitialization& /*start*/) const
+  {
+    return true;
+  }
   /// The model with all the forces of a start.
   virtual core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& /*start*/) const
   {
@@ -87,12 +98,14 @@ class VehicleEnd
 
   /// What makes its measurements unbelievable; null: nothing looks.
   virtual const MotionPlausibility* plausibility() const { return nullptr; }
+  /// What only something far beyond its told size explains, as it is now. @param note  called for each.
+  virtual void reportImprobable(const std::function<void(Subject, Implausibility)>& /*note*/) const {}
   /// True once after the vehicle was found elsewhere, and the tether is held there.
   virtual bool takeLeap() { return false; }
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
   /// Null in all modes but observed.
-  virtual const VehicleObserver* observer() const { return nullptr; }
+  virtual const TetherEnsemble* ensemble() const { return nullptr; }
   /// See MotionBuffer::isValid().
   virtual bool isValid(const core::CableModel& model) const = 0;
   virtual void write(core::BinaryWriter& archive) const = 0;

@@ -18,6 +18,15 @@ enum class Implausibility
   OTHER_LENGTH,        ///< after a leap the lengths went on from there.
   FROZEN_LENGTH,       ///< a length that repeats while a rate is reported.
   CONTRADICTORY_RATE,  ///< the rate is not that with which the length changes.
+  IMPROBABLE_FORCE,    ///< only a force far beyond vehicle.force_stddev explains where the vehicle is.
+  IMPROBABLE_LENGTH,   ///< only a length far off the deployed one explains the measurements; likewise below.
+  IMPROBABLE_DRAG,
+  IMPROBABLE_MASS,
+  IMPROBABLE_STIFFNESS,
+  IMPROBABLE_CURRENT,
+  IMPROBABLE_VEHICLE_DRAG,
+  IMPROBABLE_TENSION,    ///< of the load cell.
+  IMPROBABLE_DIRECTION,  ///< of the direction at the vessel end.
   COUNT
 };
 
@@ -27,6 +36,9 @@ enum class Subject
   VESSEL,
   VEHICLE,
   WINCH,
+  TETHER,
+  WATER,
+  SENSOR,  ///< at the vessel end: load cell, direction.
   COUNT
 };
 

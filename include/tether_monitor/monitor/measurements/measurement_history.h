@@ -8,18 +8,22 @@
 
 namespace tether_monitor::monitor
 {
-/// A measurement of the vehicle's centre of mass at its own time, world axes.
+/// A measurement of the vehicle or of the tether at its own time, world axes.
 struct VehicleMeasurement
 {
   enum class Kind
   {
-    POSITION,  ///< [m]
-    VELOCITY   ///< [m/s]
+    POSITION,  ///< of the vehicle's centre of mass [m].
+    VELOCITY,  ///< of that [m/s].
+    TENSION,   ///< x only: at the vessel end [N].
+    DIRECTION  ///< unit, in which the tether leaves the vessel.
   };
+  static constexpr int NONE = -1;
 
   double t = 0.0;  ///< when it was true [s].
   Kind kind = Kind::POSITION;
   MeasuredVector value;  ///< every measured axis with its accuracy.
+  int processed = NONE;  ///< where the ensemble keeps what it has made of it.
 
   /// True for a position that was measured along an axis.
   bool measuresPosition(int axis) const { return kind == Kind::POSITION && value.isMeasured(axis); }
@@ -31,7 +35,7 @@ struct VehicleMeasurement
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(t, kind, value);
+    a(t, kind, value, processed);
   }
 };
 
@@ -55,6 +59,7 @@ class MeasurementHistory
   void discardBefore(double t);
 
   const std::vector<VehicleMeasurement>& fixes() const { return fixes_; }
+  VehicleMeasurement& fix(std::size_t k) { return fixes_[k]; }
   /// Time of the earliest fix that came since the last call of markProcessed() [s]; infinite if none did.
   double earliestUnprocessed() const { return earliest_unprocessed_; }
   void markProcessed();

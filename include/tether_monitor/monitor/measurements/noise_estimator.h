@@ -7,7 +7,7 @@ namespace tether_monitor::monitor
 /**
  * How much a measured coordinate scatters, from the coordinate alone: fifth differences of evenly spaced values
  * leave hardly anything of a motion that the rate resolves (six samples a wave), and all of the noise, (E13) of
- * doc/estimation.md. Plain data.
+ * doc/theory/estimation.md. Plain data.
  */
 class DifferenceNoiseEstimator
 {

@@ -18,6 +18,7 @@ class RingBuffer
   T& operator[](std::size_t i) { return storage_[(first_ + i) % storage_.size()]; }
   const T& operator[](std::size_t i) const { return storage_[(first_ + i) % storage_.size()]; }
   T& back() { return (*this)[size_ - 1]; }
+  const T& back() const { return (*this)[size_ - 1]; }
   const T& front() const { return (*this)[0]; }
   /// Room for one more, with the content of an old one; the oldest goes if there is none.
   T& emplaceBack()

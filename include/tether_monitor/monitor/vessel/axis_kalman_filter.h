@@ -5,7 +5,7 @@
 namespace tether_monitor::monitor
 {
 /**
- * Kalman filter of one coordinate of a vessel in a seaway: (E10)-(E12) of doc/estimation.md.
+ * Kalman filter of one coordinate of a vessel in a seaway: (E10)-(E12) of doc/theory/estimation.md.
  *
  * Seven states: the track of the vessel (position, velocity, a fading acceleration) and the motion in the waves on
  * top, two oscillators in a chain whose frequency and height are those of the motion that the filter has seen in

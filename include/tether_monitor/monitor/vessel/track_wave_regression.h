@@ -39,7 +39,8 @@ struct TrackFit
 constexpr std::size_t MAX_TRACK_SAMPLES = 256;  ///< that fitTrackAndWave() uses.
 
 /**
- * The straight track under the motion in the waves, (E11) of doc/estimation.md: a line, or a line and one wave.
+ * The straight track under the motion in the waves, (E11) of doc/theory/estimation.md: a line, or a line and one
+ * wave.
  *
  * A line alone takes part of a wave for a speed as long as the samples span a period or two. Bayes' regression for
  * every frequency of a grid; the track is the mean over them, weighted with their evidence. Samples far off are

@@ -14,7 +14,7 @@
 namespace tether_monitor::monitor
 {
 /**
- * Motion of the vessel's end of the tether out of noisy measurements: (E10)-(E13) of doc/estimation.md.
+ * Motion of the vessel's end of the tether out of noisy measurements: (E10)-(E13) of doc/theory/estimation.md.
  *
  * A position is that of the attachment: the caller adds the lever arm with the attitude of the moment. Every axis
  * has its own filter, so that satellite positions and a heave sensor can take turns. Measurements may come

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <vector>
+
+#include "tether_monitor/core/assembly/contact_summary.h"
+#include "tether_monitor/core/assembly/station_profile.h"
+#include "tether_monitor/monitor/ensemble/ensemble_members.h"
+
+namespace tether_monitor::monitor
+{
+/// How a quantity is distributed over the members of an ensemble.
+struct Distribution
+{
+  double median = 0.0, p05 = 0.0, p95 = 0.0, stddev = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(median, p05, p95, stddev);
+  }
+};
+
+/**
+ * Median, quantiles and standard deviation of the members' values, and of what every member is unsure of itself:
+ * both halves of the distribution grow with it in quadrature. Allocates nothing.
+ *
+ * @param values  in and out: their order is lost.
+ * @param own     standard deviation of every member's value.
+ */
+Distribution distributionOf(Eigen::RowVectorXd& values, double own);
+
+/// What an ensemble tells along the tether and at its ends.
+class EnsembleSummary
+{
+ public:
+  explicit EnsembleSummary(int members) : values_(Eigen::RowVectorXd::Zero(members)) {}
+
+  /// Own standard deviations of the members' tensions at the ends [N].
+  struct Own
+  {
+    double vessel = 0.0, vehicle = 0.0;
+    Eigen::RowVectorXd vessel_correction, vehicle_correction;  ///< to be added to the members' tensions [N].
+  };
+  /// Takes memory for tethers of so many elements.
+  void prepare(int elements, int members);
+  void update(const EnsembleMembers& members, const MemberVectors& position, const Own& own);
+
+  /// The member nearest to the medians.
+  int representative() const { return representative_; }
+  const Distribution& vessel() const { return vessel_; }
+  const Distribution& vehicle() const { return vehicle_; }
+  const Distribution& largest() const { return largest_; }
+  /// Along the stations.
+  const std::vector<double>& tension() const { return tension_; }
+  const std::vector<double>& tensionStddev() const { return tension_stddev_; }
+  const std::vector<core::Vector3>& positionStddev() const { return position_stddev_; }
+  /// Of every obstacle: share of the members that touch it.
+  const std::vector<double>& contactProbability() const { return contact_probability_; }
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(representative_, vessel_, vehicle_, largest_, tension_, tension_stddev_, position_stddev_,
+      contact_probability_);
+  }
+
+ private:
+  static constexpr int NONE = -1;
+
+  void countContacts(const EnsembleMembers& members);
+  void chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position);
+
+  Eigen::RowVectorXd values_;
+  std::vector<core::StationProfile> profiles_;
+  int representative_ = NONE;
+  Distribution vessel_, vehicle_, largest_;
+  std::vector<double> tension_, tension_stddev_;
+  std::vector<core::Vector3> position_stddev_;
+  core::ContactSummary contact_;
+  std::vector<double> contact_probability_;
+};
+
+}  // namespace tether_monitor::monitor

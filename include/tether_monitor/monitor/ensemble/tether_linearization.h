@@ -1,0 +1,58 @@
+#pragma once
+
+#include "tether_monitor/core/analysis/dynamic_stiffness.h"
+
+namespace tether_monitor::monitor
+{
+/// A row of weights of a displacement or a velocity [N/m, N s/m].
+using RowVector3 = Eigen::Matrix<double, 1, 3>;
+
+/// What a small error of the vehicle's motion does to one tension: change = position dp + velocity dv.
+struct TensionJacobian
+{
+  RowVector3 position = RowVector3::Zero();  ///< [N/m]
+  RowVector3 velocity = RowVector3::Zero();  ///< [N s/m]
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(position, velocity);
+  }
+};
+
+/**
+ * The tether's part in slow small motions of the vehicle: M a + C v + K x = force, (E4) of
+ * doc/theory/estimation.md, fitted to its EndDynamicStiffness at two rates of growth.
+ */
+struct TetherLinearization
+{
+  static constexpr double FIT_RATE_LOW = 0.02, FIT_RATE_HIGH = 0.2;  ///< rates of growth of the fit [1/s].
+
+  core::Matrix3 mass = core::Matrix3::Identity();           ///< vehicle with its added mass [kg].
+  core::Matrix3 damping = core::Matrix3::Zero();            ///< [N s/m]
+  core::Matrix3 stiffness = core::Matrix3::Zero();          ///< [N/m]
+  core::Vector3 chord = core::Vector3::UnitX();             ///< unit, from the vessel end to the vehicle end.
+  TensionJacobian vessel, vehicle;                          ///< of the tensions at the two ends.
+  RowVector3 vessel_tension_jacobian = RowVector3::Zero();  ///< tension at the vessel end for a displacement of
+                                                            ///< that end as fast as the waves [N/m].
+
+  /// Goes over to another by a share 0..1: a stiffness that leaps would make a tension of every displacement.
+  void blend(const TetherLinearization& other, double share);
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(mass, damping, stiffness, chord, vessel, vehicle, vessel_tension_jacobian);
+  }
+};
+
+/**
+ * Fits a TetherLinearization about a state.
+ *
+ * @param wave_rate  how fast the errors of the vessel's motion are [1/s], > 0.
+ * @return           false, and `fit` is as before, if a matrix is singular.
+ */
+bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::DeployedCable& cable,
+                     const core::CableState& state, double wave_rate, TetherLinearization& fit);
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,126 @@
+#include "tether_monitor/monitor/ensemble/ensemble_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double NORMAL_P95 = 1.6448536;
+constexpr double LARGER = 2.0, MORE = 0.3;  // of the squared distance from the medians: too far to stay
+
+double meanOf(const Eigen::RowVectorXd& x)
+{
+  return x.mean();
+}
+
+double varianceOf(const Eigen::RowVectorXd& x)
+{
+  const double mean = meanOf(x);
+  return (x.array() - mean).square().sum() / static_cast<double>(x.size() - 1);
+}
+
+// The value below which a share of the sorted ones lie, in between linear.
+double quantile(const Eigen::RowVectorXd& sorted, double share)
+{
+  const double at =
+      std::clamp(share * static_cast<double>(sorted.size()) - 0.5, 0.0, static_cast<double>(sorted.size() - 1));
+  const auto k = std::min<Eigen::Index>(static_cast<Eigen::Index>(at), sorted.size() - 2);
+  return sorted[k] + (at - static_cast<double>(k)) * (sorted[k + 1] - sorted[k]);
+}
+}  // namespace
+
+Distribution distributionOf(Eigen::RowVectorXd& values, double own)
+{
+  Distribution d;
+  d.stddev = std::sqrt(varianceOf(values) + own * own);
+  std::sort(values.data(), values.data() + values.size());
+  d.median = quantile(values, 0.5);
+  const double wider = NORMAL_P95 * own;
+  d.p05 = d.median - std::hypot(d.median - quantile(values, 0.05), wider);
+  d.p95 = d.median + std::hypot(quantile(values, 0.95) - d.median, wider);
+  return d;
+}
+
+void EnsembleSummary::prepare(int elements, int members)
+{
+  profiles_.assign(members, core::StationProfile(elements));
+  values_ = Eigen::RowVectorXd::Zero(members);
+  tension_.assign(2 * elements + 1, 0.0);
+  tension_stddev_ = tension_;
+  position_stddev_.assign(2 * elements + 1, core::Vector3::Zero());
+  representative_ = NONE;
+}
+
+void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors& position, const Own& own)
+{
+  const int n = members.size();
+  for (int i = 0; i < n; ++i)
+    core::computeStations(members.cable(i), members.state(i), profiles_[i]);
+  values_ = members.motion().vessel_tension + own.vessel_correction;
+  vessel_ = distributionOf(values_, own.vessel);
+  values_ = members.motion().vehicle_tension + own.vehicle_correction;
+  vehicle_ = distributionOf(values_, own.vehicle);
+  for (int i = 0; i < n; ++i)
+    values_[i] = *std::max_element(profiles_[i].tension.begin(), profiles_[i].tension.end());
+  largest_ = distributionOf(values_, std::max(own.vessel, own.vehicle));
+  const std::size_t stations = tension_.size();
+  for (std::size_t k = 0; k < stations; ++k)
+  {
+    const double share = static_cast<double>(k) / static_cast<double>(stations - 1);
+    for (int i = 0; i < n; ++i)
+      values_[i] =
+          profiles_[i].tension[k] + (1.0 - share) * own.vessel_correction[i] + share * own.vehicle_correction[i];
+    tension_stddev_[k] =
+        std::sqrt(varianceOf(values_) + std::pow((1.0 - share) * own.vessel + share * own.vehicle, 2));
+    std::nth_element(values_.data(), values_.data() + n / 2, values_.data() + n);
+    tension_[k] = values_[n / 2];
+    core::Vector3 sum = core::Vector3::Zero(), square = core::Vector3::Zero();
+    for (int i = 0; i < n; ++i)
+      sum += profiles_[i].position[k];
+    for (int i = 0; i < n; ++i)
+      square += (profiles_[i].position[k] - sum / n).cwiseAbs2();
+    position_stddev_[k] = (square / (n - 1)).cwiseSqrt();
+  }
+  countContacts(members);
+  chooseRepresentative(members, position);
+}
+
+void EnsembleSummary::countContacts(const EnsembleMembers& members)
+{
+  const std::size_t obstacles = members.state(0).obstacles.size();
+  contact_.obstacles.resize(obstacles);
+  contact_probability_.assign(obstacles, 0.0);
+  for (int i = 0; obstacles > 0 && i < members.size(); ++i)
+  {
+    core::summarizeContact(members.cable(i), members.state(i), contact_);
+    for (std::size_t k = 0; k < obstacles; ++k)
+      contact_probability_[k] += contact_.obstacles[k].total > 0.0 ? 1.0 / members.size() : 0.0;
+  }
+}
+
+// Stays with a member that is hardly farther off than the nearest.
+void EnsembleSummary::chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position)
+{
+  const MemberMotion& motion = members.motion();
+  const core::Vector3 mean = position.rowwise().mean();
+  const core::Vector3 place(mean);
+  double variance = 1e-6;
+  for (int i = 0; i < members.size(); ++i)
+    variance += (motion.position.col(i) - place).squaredNorm() / members.size();
+  const auto distance = [&](int i)
+  {
+    return std::pow((motion.vessel_tension[i] - vessel_.median) / (vessel_.stddev + 1e-9), 2) +
+           std::pow((motion.vehicle_tension[i] - vehicle_.median) / (vehicle_.stddev + 1e-9), 2) +
+           (motion.position.col(i) - place).squaredNorm() / variance;
+  };
+  int nearest = 0;
+  for (int i = 1; i < members.size(); ++i)
+    if (distance(i) < distance(nearest))
+      nearest = i;
+  if (representative_ == NONE || distance(representative_) > LARGER * distance(nearest) + MORE)
+    representative_ = nearest;
+}
+
+}  // namespace tether_monitor::monitor

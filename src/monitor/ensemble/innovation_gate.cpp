@@ -1,0 +1,135 @@
+#include "tether_monitor/monitor/ensemble/innovation_gate.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double CHI2_3DOF_0999 = 16.3;  // squared distance that a good position exceeds once in a thousand
+constexpr int REACQUISITION_COUNT = 5;   // refused positions that agree, after a gap or at the beginning
+constexpr int RESET_COUNT = 30;          // the same against positions that were accepted just before
+constexpr double GAP = 5.0;  // [s] without a measurement after which the prediction is none to insist on
+constexpr double REACQUISITION_WINDOW =
+    20.0;  // [s] after the start or a gap in which positions need not be defended
+constexpr double INCONSISTENCY_HOLD = 600.0;  // [s] for which a change against better knowledge stays in question
+constexpr double DRIFT = 0.5;                 // speed at which offsets that agree may change [m/s]
+constexpr double SQUARE_SHARE = 0.03;         // of the running mean of the squares
+constexpr double MEAN_SHARE = 0.1;            // of the running mean of the innovations
+constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
+constexpr double BIAS_CHI2_FAULT = 25.0;           // squared normalized_innovation_mean that it does not
+constexpr int OTHER_RESET_COUNT = 60;              // refused readings of tension, direction or velocity in a row
+}  // namespace
+
+void InnovationGate::start(double t, double measured)
+{
+  const double inconsistent_until = inconsistent_until_;
+  const InnovationStatistics report = report_;
+  *this = InnovationGate();
+  inconsistent_until_ = inconsistent_until;
+  last_accepted_.setConstant(measured);
+  last_seen_ = t;
+  reacquisition_until_ = t + REACQUISITION_WINDOW;
+  report_.accepted = report.accepted;
+  report_.refused = report.refused;
+  report_.reacquired = report.reacquired;
+}
+
+double InnovationGate::noiseVarianceScale() const
+{
+  return std::clamp(square_, 1.0, MAX_NOISE_VARIANCE_SCALE);
+}
+
+bool InnovationGate::isInconsistent(double t) const
+{
+  return t < inconsistent_until_ ||
+         report_.normalized_innovation_mean * report_.normalized_innovation_mean > BIAS_CHI2_FAULT ||
+         consecutive_rejections_ >= 3 || other_refusals_ >= 3;
+}
+
+InnovationGate::Verdict InnovationGate::reacquire(const VehicleMeasurement& fix, const core::Vector3& offset)
+{
+  const double dt = fix.t - last_refused_;
+  const double apart = (offset - last_offset_).norm();
+  const double reach = 5.0 * fix.stddev().cwiseMin(10.0).norm() + DRIFT * dt;
+  consecutive_rejections_ = consecutive_rejections_ > 0 && apart <= reach ? consecutive_rejections_ + 1 : 1;
+  last_offset_ = offset;
+  last_refused_ = fix.t;
+  const bool is_open = fix.t < reacquisition_until_;
+  if (consecutive_rejections_ < (is_open ? REACQUISITION_COUNT : RESET_COUNT))
+    return Verdict::REJECT;
+  if (!is_open)
+    inconsistent_until_ = fix.t + INCONSISTENCY_HOLD;
+  consecutive_rejections_ = 0;
+  ++report_.reacquired;
+  return is_open ? Verdict::REACQUIRE : Verdict::RESET;
+}
+
+void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square)
+{
+  ++samples_;
+  const double share = std::max(SQUARE_SHARE, 1.0 / (samples_ + 10.0));
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (fix.measuresPosition(axis))
+    {
+      mean_[axis] += MEAN_SHARE * (scaled[axis] - mean_[axis]);
+      ++axes;
+    }
+  square_ += share * (square / axes - square_);
+  report_.noise_scale = std::sqrt(square_);
+  report_.normalized_innovation_mean = mean_.norm() / std::sqrt(MEAN_SHARE / (2.0 - MEAN_SHARE));
+}
+
+InnovationGate::Verdict InnovationGate::evaluateOther(const VehicleMeasurement& fix, double square)
+{
+  (void)fix;
+  if (square < CHI2_3DOF_0999)
+  {
+    other_refusals_ = 0;
+    ++report_.accepted;
+    return Verdict::ACCEPT;
+  }
+  ++report_.refused;
+  if (++other_refusals_ < OTHER_RESET_COUNT)
+    return Verdict::REJECT;
+  other_refusals_ = 0;
+  return Verdict::RESET;
+}
+
+InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, const core::Vector3& innovation,
+                                                 const core::Matrix3& covariance)
+{
+  const double square = innovation.dot(covariance.ldlt().solve(innovation));
+  if (fix.kind != VehicleMeasurement::Kind::POSITION)
+    return evaluateOther(fix, square);
+  if (fix.t - last_seen_ > GAP)
+    reacquisition_until_ = fix.t + REACQUISITION_WINDOW;
+  last_seen_ = std::max(last_seen_, fix.t);
+  const core::Vector3 expected = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  report_.last = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    report_.last = std::hypot(report_.last, fix.measuresPosition(axis) ? innovation[axis] : 0.0);
+  Verdict verdict = Verdict::ACCEPT;
+  if (square < CHI2_3DOF_0999 * noiseVarianceScale())
+  {
+    consecutive_rejections_ = 0;
+    updateStatistics(fix, innovation.cwiseQuotient(expected), square);
+  }
+  else
+  {
+    ++report_.refused;
+    verdict = reacquire(fix, innovation);
+    if (verdict == Verdict::REJECT)
+      return verdict;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    if (fix.measuresPosition(axis))
+      last_accepted_[axis] = std::max(last_accepted_[axis], fix.t);
+  ++report_.accepted;
+  return verdict;
+}
+
+}  // namespace tether_monitor::monitor

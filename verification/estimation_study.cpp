@@ -1,0 +1,352 @@
+#include "verification/estimation_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+#include "tether_monitor/core/assembly/contact_assembly.h"
+#include "tether_monitor/core/bodies/rigid_body_dynamics.h"
+
+namespace tether_monitor::bench
+{
+namespace
+{
+using core::EndMotion;
+using core::Vector3;
+
+constexpr double TRUE_STEP = 0.05;  // [s]
+
+// Keeps a vehicle at a place or on its way, softly; the thrust has a memory of what it takes.
+struct ThrustController
+{
+  Vector3 integral = Vector3::Zero();
+
+  Vector3 steer(const core::RigidBody& body, const EndMotion& wanted, const EndMotion& now, double dt)
+  {
+    constexpr double W = 0.4;
+    const double mass = body.mass + body.added_mass.mean();
+    const Vector3 off = wanted.position - now.position;
+    integral += mass * 0.15 * W * W * W * dt * off;
+    return mass * (W * W * off + 1.6 * W * (wanted.velocity - now.velocity)) + integral;
+  }
+};
+
+// Around a circle of 12 m, begun gently.
+EndMotion wayOf(const UncertainCase& c, double t)
+{
+  const Vector3& station = c.of.start.vehicle;
+  if (c.manoeuvre <= 0.0)
+    return {station, Vector3::Zero()};
+  constexpr double RADIUS = 12.0, GENTLE = 30.0;
+  const double rate = c.manoeuvre / RADIUS;
+  const double angle = rate * (t < GENTLE ? 0.5 * t * t / GENTLE : t - 0.5 * GENTLE);
+  const double speed = c.manoeuvre * std::min(t / GENTLE, 1.0);
+  return {station + RADIUS * Vector3(std::cos(angle) - 1.0, std::sin(angle), 0.0),
+          speed * Vector3(-std::sin(angle), std::cos(angle), 0.0)};
+}
+
+EndMotion vesselAt(const Case& c, double t)
+{
+  constexpr double H = 1e-4;
+  EndMotion end = c.vessel(t);
+  end.velocity = (c.vessel(t + H).position - c.vessel(std::max(t - H, 0.0)).position) / (t >= H ? 2.0 * H : t + H);
+  return end;
+}
+
+Case stationCase(const std::string& name)
+{
+  for (const Case& c : navigationCases())
+    if (c.name == name)
+      return c;
+  throw std::runtime_error("no case " + name);
+}
+
+UncertainCase towed(const std::string& name)
+{
+  UncertainCase c;
+  c.of = stationCase(name);
+  c.of.bodies.vehicle->force.setZero();
+  c.true_elements = 100;
+  return c;
+}
+
+UncertainCase thrusting(const std::string& name, const std::string& what)
+{
+  UncertainCase c;
+  c.of = stationCase("G");
+  c.of.name = name;
+  c.of.what = what;
+  c.is_towed = false;
+  c.force_stddev = 300.0;
+  return c;
+}
+
+EndMotion centreOf(const core::CableState& state)
+{
+  return {state.q.back().head<3>(), state.v.back().head<3>()};
+}
+}  // namespace
+
+std::vector<UncertainCase> uncertainCases()
+{
+  std::vector<UncertainCase> cases{towed("C"), towed("D")};
+  cases.push_back(thrusting("G", "keeps its station in a current"));
+  UncertainCase rest = thrusting("R", "rests");
+  rest.of.sea.current = core::CurrentProfile();
+  rest.of.tether.mass_per_length = 0.6;
+  rest.of.start.vehicle = {80.0, 0.0, -100.0};
+  rest.of.vessel = [](double) { return EndMotion{Vector3::Zero(), Vector3::Zero()}; };
+  rest.of.start.vessel = Vector3::Zero();
+  cases.push_back(rest);
+  UncertainCase way = thrusting("M", "manoeuvres at 0.5 m/s");
+  way.of.sea.current = core::CurrentProfile(Vector3(0.2, 0.0, 0.0));
+  way.manoeuvre = 0.5;
+  cases.push_back(way);
+  UncertainCase slack = thrusting("S", "slack tether in a sheared current");
+  slack.of.tether.length = 190.0;
+  slack.of.sea.current = core::CurrentProfile({{0.0, {0.4, 0.1, 0.0}}, {120.0, {-0.1, 0.1, 0.0}}});
+  cases.push_back(slack);
+  return cases;
+}
+
+TruthDraw drawTruth(const UncertainCase& c, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  monitor::Config config;
+  config.uncertainty = c.told;
+  config.navigation.drag_stddev = c.vehicle_drag_stddev;
+  config.tether = c.of.tether;
+  const monitor::ParameterPrior prior = monitor::parameterPrior(config);
+  monitor::ParameterVector p;
+  for (int k = 0; k < monitor::PARAMETERS; ++k)
+    p[k] = prior.stddev[k] * normal(generator);
+  TruthDraw draw;
+  draw.variation = monitor::variationOf(p, std::max(-c.of.start.vehicle.z(), 10.0));
+  const double x = normal(generator), y = normal(generator), z = normal(generator);
+  if (c.is_towed)
+    draw.force = c.force_stddev * Vector3(x, y, z);
+  draw.tension_bias = normal(generator);
+  return draw;
+}
+
+Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
+{
+  const Case& c = uncertain.of;
+  Truth truth;
+  truth.of = c;
+  core::RigidBody body = *c.bodies.vehicle;
+  body.force += draw.force;
+  core::CableModel model(c.tether, uncertain.true_elements, c.sea);
+  core::SteadyEnds start = c.start;
+  start.deployment.variation = draw.variation;
+  core::SteadyStateSolver statics(model.nodes());
+  core::NodeField shape;
+  if (uncertain.is_towed)
+    model = model.withBodies({std::nullopt, body});
+  if (!statics.solve(model, start, shape).converged())
+    throw std::runtime_error("case " + c.name + " has no steady state");
+  core::CableState state(0.0, shape, c.start.velocity, start.deployment);
+  core::initializeContact(model, state);
+  ThrustController pilot;
+  if (!uncertain.is_towed)
+  {
+    const core::RigidBodyMotion motion = core::rigidBodyMotion(state, state.q.size() - 1, core::AttitudeState());
+    pilot.integral =
+        core::rigidBodyResidual(body, model.environment(), motion, core::Wrench(), {0.0, 0.0, 0.0}).force -
+        core::endForces(model, state).vehicle;
+    model = model.withBodies({std::nullopt, body});
+  }
+  core::StepperOptions options;
+  options.step = TRUE_STEP;
+  core::AdaptiveStepper stepper(model, options);
+  const int count = static_cast<int>(std::lround(c.duration / truth.step));
+  core::DeployedCable cable(model, state.deployment);
+  for (int i = 0; i <= count; ++i)
+  {
+    const double t = truth.timeOf(i);
+    if (i > 0)
+    {
+      core::BoundaryConditions ends;
+      ends.vessel = core::EndTrajectory::between(state.time, vesselAt(c, state.time), t, vesselAt(c, t));
+      if (!uncertain.is_towed)
+        ends.vehicle_force = pilot.steer(body, wayOf(uncertain, t), centreOf(state), truth.step);
+      if (!stepper.advance(model, ends, t, state).converged())
+        throw std::runtime_error("case " + c.name + " has no solution at " + std::to_string(t) + " s");
+    }
+    const core::EndForces forces = core::endForces(cable, state);
+    truth.vessel.push_back(vesselAt(c, t));
+    truth.vehicle.push_back(monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero()));
+    truth.vessel_tension.push_back(forces.vessel.norm());
+    truth.vehicle_tension.push_back(forces.vehicle.norm());
+  }
+  return truth;
+}
+
+monitor::Config configFor(const UncertainCase& c, const Truth& truth, const Sensors& sensors)
+{
+  monitor::Config config = configFor(truth, Knowledge{}, monitor::VehicleMode::OBSERVED, sensors);
+  config.navigation.force_stddev = c.force_stddev;
+  config.navigation.drag_stddev = c.vehicle_drag_stddev;
+  config.uncertainty = c.told;
+  if (!c.is_towed)
+  {
+    config.tether.working_load = 2000.0;
+    config.tether.breaking_load = 20000.0;
+  }
+  return config;
+}
+
+namespace
+{
+struct Sums
+{
+  long n = 0;
+  double square = 0.0, mean = 0.0, band = 0.0, nees = 0.0, one = 0.0, two = 0.0, ninety = 0.0;
+
+  void add(double estimate, double truth, double stddev, double p05, double p95)
+  {
+    const double error = estimate - truth;
+    ++n;
+    square += error * error;
+    mean += truth;
+    band += stddev;
+    nees += error * error / (stddev * stddev);
+    one += std::abs(error) <= stddev;
+    two += std::abs(error) <= 2.0 * stddev;
+    ninety += truth >= p05 && truth <= p95;
+  }
+  void add(const Sums& other)
+  {
+    n += other.n;
+    square += other.square;
+    mean += other.mean;
+    band += other.band;
+    nees += other.nees;
+    one += other.one;
+    two += other.two;
+    ninety += other.ninety;
+  }
+  PooledScore score() const
+  {
+    const double count = std::max(1.0, static_cast<double>(n));
+    return {n, std::sqrt(square / count), mean / count, band / count, nees / count, one / count, ninety / count};
+  }
+  double relative() const
+  {
+    return n > 0 ? std::sqrt(square / static_cast<double>(n)) / (mean / static_cast<double>(n)) : 0.0;
+  }
+};
+}  // namespace
+
+StudyResult studyPooled(const UncertainCase& c, const StudyOptions& options)
+{
+  StudyResult result;
+  Sums vessel, vehicle;
+  double square = 0.0, within = 0.0, ok = 0.0, valid = 0.0, total = 0.0;
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  const auto work = [&]
+  {
+    for (int k = next++; k < options.draws; k = next++)
+    {
+      const unsigned seed = options.first_seed + static_cast<unsigned>(k);
+      const TruthDraw draw = options.mislead ? TruthDraw() : drawTruth(c, seed);
+      Truth truth;
+      try
+      {
+        truth = makeTruth(c, draw);
+      }
+      catch (const std::runtime_error&)
+      {
+        continue;
+      }
+      Sensors sensors;
+      sensors.seed = seed + 77;
+      sensors.latency = options.latency;
+      sensors.has_load_cell = options.has_load_cell;
+      monitor::Config config = configFor(c, truth, sensors);
+      sensors.tension_bias = draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
+      sensors.tension_stddev = config.uncertainty.tension_stddev;
+      config.elements = options.elements;
+      config.rate = options.rate;
+      config.solver.step = 1.0 / options.rate;
+      if (options.mislead)
+        options.mislead(config);
+      const Trail trail = observe(truth, config, sensors);
+      Sums a, b;
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (std::size_t i = 0; i < trail.t.size(); ++i)
+      {
+        if (trail.t[i] < c.of.count_from)
+          continue;
+        total += 1.0;
+        ok += trail.status[i] == monitor::Status::OK;
+        if (trail.status[i] == monitor::Status::INVALID)
+          continue;
+        valid += 1.0;
+        const std::size_t at = trail.index[i];
+        a.add(trail.vessel_tension[i], truth.vessel_tension[at], trail.vessel_stddev[i], trail.vessel_p05[i],
+              trail.vessel_p95[i]);
+        b.add(trail.vehicle_tension[i], truth.vehicle_tension[at], trail.vehicle_stddev[i], trail.vehicle_p05[i],
+              trail.vehicle_p95[i]);
+        const double off = (trail.vehicle[i] - truth.vehicle[at].position).norm();
+        square += off * off;
+        within += off <= 2.0 * std::sqrt(3.0) * trail.vehicle_stddev_m[i];
+      }
+      vessel.add(a);
+      vehicle.add(b);
+      result.vessel_rms.push_back(a.relative());
+      result.vehicle_rms.push_back(b.relative());
+      result.cpu += trail.cpu / (trail.t.back() * options.draws);
+      ++result.runs;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int k = 1; k < options.threads; ++k)
+    threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads)
+    thread.join();
+  result.vessel = vessel.score();
+  result.vehicle = vehicle.score();
+  result.within_2 = vessel.two / std::max(1.0, static_cast<double>(vessel.n));
+  result.position_rms = std::sqrt(square / std::max(valid, 1.0));
+  result.position_within_2 = within / std::max(valid, 1.0);
+  result.ok = ok / std::max(total, 1.0);
+  result.valid = valid / std::max(total, 1.0);
+  return result;
+}
+
+std::vector<Misconfiguration> misconfigurations()
+{
+  const auto current = [](double x, double y)
+  { return [x, y](monitor::Config& c) { c.environment.current = core::CurrentProfile(Vector3(-x, -y, 0.0)); }; };
+  const auto weakVehicle = [](monitor::Config& c)
+  {
+    c.vehicle_body.drag_area *= 1.3;
+    c.vehicle_body.force += Vector3(-800.0, 600.0, 0.0);
+  };
+  return {{"nothing", [](monitor::Config&) {}},
+          {"drag_normal -26 %", [](monitor::Config& c) { c.tether.drag_normal *= 0.74; }},
+          {"drag_normal +33 %", [](monitor::Config& c) { c.tether.drag_normal *= 1.33; }},
+          {"mass +5 %", [](monitor::Config& c) { c.tether.mass_per_length *= 1.05; }},
+          {"current 0.3 m/s along", current(0.3, 0.0)},
+          {"current 0.3 m/s across", current(0.0, 0.3)},
+          {"length +1 %", [](monitor::Config& c) { c.tether.length *= 1.01; }},
+          {"length -1 %", [](monitor::Config& c) { c.tether.length *= 0.99; }},
+          {"vehicle's drag x 1.3, 1000 N", weakVehicle},
+          {"drag -26 %, mass +3 %, current, vehicle", [=](monitor::Config& c)
+           {
+             c.tether.drag_normal *= 0.74;
+             c.tether.mass_per_length *= 1.03;
+             current(0.2, 0.2)(c);
+             weakVehicle(c);
+           }}};
+}
+
+}  // namespace tether_monitor::bench
