@@ -155,7 +155,7 @@ void EnsembleFilter::feedBack(double dt)
 }
 
 void EnsembleFilter::update(double t, const MemberMotion& moved, const VesselNoise& noise,
-                            const core::Vector3& origin, double earliest, MeasurementHistory& history)
+                            const core::Vector3& origin, MeasurementHistory& history)
 {
   const double dt = t - ticks_.back().t;
   const bool merges = ticks_.size() > 1 && ticks_.back().t - ticks_[ticks_.size() - 2].t < spacing_;
@@ -168,6 +168,8 @@ void EnsembleFilter::update(double t, const MemberMotion& moved, const VesselNoi
   now.noise = noise;
 
   // From the last tick before the earliest measurement that is new.
+  const double earliest = history.earliestUnprocessed();
+  history.markProcessed();
   std::size_t from = ticks_.size() - 1;
   while (from > 1 && ticks_[from - 1].t >= earliest - SAME)
     --from;
@@ -268,10 +270,8 @@ bool EnsembleFilter::look(const VehicleMeasurement& fix, std::size_t tick, const
 
 bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vector3& innovation)
 {
-  core::Matrix3 S = motion_.innovationCovariance(sight_.jacobian, sight_.noise);
-  const core::Vector3 mean = sight_.predicted.rowwise().mean();
-  for (int i = 0; i < count_; ++i)
-    S += (sight_.predicted.col(i) - mean) * (sight_.predicted.col(i) - mean).transpose() / (count_ - 1);
+  const core::Matrix3 S =
+      motion_.innovationCovariance(sight_.jacobian, sight_.noise) + covarianceOf(sight_.predicted);
   switch (gate_.evaluate(fix, innovation, S))
   {
     case InnovationGate::Verdict::ACCEPT:
@@ -283,7 +283,7 @@ bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vecto
       return true;
     case InnovationGate::Verdict::RESET:
       motion_.inflate(innovation.norm(), unknown_force_.slow_stddev);
-      reset(fix.t);
+      reset();
       return true;
   }
   return false;
@@ -336,14 +336,13 @@ void EnsembleFilter::learn(const VehicleMeasurement& fix, const core::Vector3& i
 }
 
 // Nothing is known of the parameters but what was known beforehand.
-void EnsembleFilter::reset(double t)
+void EnsembleFilter::reset()
 {
   random_.fillUncorrelated(sample_);
   for (int k = 0; k < PARAMETERS; ++k)
     parameters_.row(k) = prior_.stddev[k] * sample_.row(k);
   motion_.inflate(RESET_PLACE, unknown_force_.slow_stddev);
   ++resets_;
-  reset_at_ = t;
 }
 
 // Stationary first-order Gauss-Markov processes.

@@ -97,12 +97,13 @@ void EnsembleMembers::moveObstacle(std::size_t k, const core::ObstacleMotion& no
 // Two stages of first order: no jump, and no jump of a rate.
 void EnsembleMembers::vary(double dt, const ParameterMatrix& parameters)
 {
+  const double usual_share = 1.0 - std::exp(-dt / RAMP), length_share = 1.0 - std::exp(-dt / LENGTH_RAMP);
   for (int i = 0; i < count_; ++i)
   {
     Member& member = members_[i];
     for (int k = 0; k < PARAMETERS; ++k)
     {
-      const double share = 1.0 - std::exp(-dt / (k == LENGTH ? LENGTH_RAMP : RAMP));
+      const double share = k == LENGTH ? length_share : usual_share;
       member.towards[k] += share * (parameters(k, i) - member.towards[k]);
       member.acting[k] += share * (member.towards[k] - member.acting[k]);
     }

@@ -10,17 +10,6 @@ namespace
 constexpr double NORMAL_P95 = 1.6448536;
 constexpr double LARGER = 2.0, MORE = 0.3;  // of the squared distance from the medians: too far to stay
 
-double meanOf(const Eigen::RowVectorXd& x)
-{
-  return x.mean();
-}
-
-double varianceOf(const Eigen::RowVectorXd& x)
-{
-  const double mean = meanOf(x);
-  return (x.array() - mean).square().sum() / static_cast<double>(x.size() - 1);
-}
-
 // The value below which a share of the sorted ones lie, in between linear.
 double quantile(const Eigen::RowVectorXd& sorted, double share)
 {
@@ -104,8 +93,7 @@ void EnsembleSummary::countContacts(const EnsembleMembers& members)
 void EnsembleSummary::chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position)
 {
   const MemberMotion& motion = members.motion();
-  const core::Vector3 mean = position.rowwise().mean();
-  const core::Vector3 place(mean);
+  const core::Vector3 place = position.rowwise().mean();
   double variance = 1e-6;
   for (int i = 0; i < members.size(); ++i)
     variance += (motion.position.col(i) - place).squaredNorm() / members.size();

@@ -19,8 +19,8 @@ constexpr double DRIFT = 0.5;                 // speed at which offsets that agr
 constexpr double SQUARE_SHARE = 0.03;         // of the running mean of the squares
 constexpr double MEAN_SHARE = 0.1;            // of the running mean of the innovations
 constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
-constexpr double BIAS_CHI2_FAULT = 25.0;           // squared normalized_innovation_mean that it does not
-constexpr int OTHER_RESET_COUNT = 60;              // refused readings of tension, direction or velocity in a row
+constexpr double BIAS_CHI2_FAULT = 25.0;  // squared normalized_innovation_mean that chance does not explain
+constexpr int OTHER_RESET_COUNT = 60;     // refused readings of tension, direction or velocity in a row
 }  // namespace
 
 void InnovationGate::start(double t, double measured)
@@ -83,9 +83,8 @@ void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core:
   report_.normalized_innovation_mean = mean_.norm() / std::sqrt(MEAN_SHARE / (2.0 - MEAN_SHARE));
 }
 
-InnovationGate::Verdict InnovationGate::evaluateOther(const VehicleMeasurement& fix, double square)
+InnovationGate::Verdict InnovationGate::evaluateOther(double square)
 {
-  (void)fix;
   if (square < CHI2_3DOF_0999)
   {
     other_refusals_ = 0;
@@ -104,7 +103,7 @@ InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, 
 {
   const double square = innovation.dot(covariance.ldlt().solve(innovation));
   if (fix.kind != VehicleMeasurement::Kind::POSITION)
-    return evaluateOther(fix, square);
+    return evaluateOther(square);
   if (fix.t - last_seen_ > GAP)
     reacquisition_until_ = fix.t + REACQUISITION_WINDOW;
   last_seen_ = std::max(last_seen_, fix.t);

@@ -1,7 +1,6 @@
 #include "tether_monitor/monitor/ensemble/parameter_report.h"
 
 #include <cmath>
-#include <functional>
 
 namespace tether_monitor::monitor
 {
@@ -14,8 +13,7 @@ struct Moments
 
 Moments momentsOf(const Eigen::RowVectorXd& x)
 {
-  const double mean = x.mean();
-  return {mean, std::sqrt((x.array() - mean).square().sum() / static_cast<double>(x.size() - 1))};
+  return {x.mean(), std::sqrt(varianceOf(x))};
 }
 }  // namespace
 

@@ -32,15 +32,6 @@ double median(std::array<double, MEDIAN_OF>& x, int n)
   std::sort(x.begin(), x.begin() + n);
   return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
 }
-
-core::Matrix3 covarianceOf(const Eigen::Ref<const MemberVectors, 0, Eigen::OuterStride<>>& x)
-{
-  const core::Vector3 mean = x.rowwise().mean();
-  core::Matrix3 sum = core::Matrix3::Zero();
-  for (Eigen::Index i = 0; i < x.cols(); ++i)
-    sum += (x.col(i) - mean) * (x.col(i) - mean).transpose();
-  return sum / static_cast<double>(x.cols() - 1);
-}
 }  // namespace
 
 TetherEnsemble::TetherEnsemble(const Config& config)
@@ -215,7 +206,7 @@ void TetherEnsemble::summarize(const core::Vector3& vessel_stddev)
         limited(vehicle * error.means().col(i), LARGEST_CORRECTION * motion.vehicle_tension[i]);
     position_.col(i) = motion.position.col(i) + error.means().col(i).segment<3>(MotionErrorFilter::POSITION);
   }
-  const double shaking = tether.vessel_tension_jacobian.transpose().cwiseProduct(vessel_stddev).norm();
+  const double shaking = tether.vesselTensionStddev(vessel_stddev);
   const auto own = [&](const TensionJacobian& tension, double mean)
   {
     return std::sqrt(std::pow(error.tensionStddev(tension), 2) + shaking * shaking +
@@ -228,8 +219,7 @@ void TetherEnsemble::summarize(const core::Vector3& vessel_stddev)
 
 core::SolveReport TetherEnsemble::advanceOnePart(const core::CableModel& model,
                                                  const core::BoundaryConditions& paths,
-                                                 const core::Vector3& vessel_stddev, double error_rate, double t,
-                                                 double earliest)
+                                                 const core::Vector3& vessel_stddev, double error_rate, double t)
 {
   const core::SolveReport report =
       members_.advance(model, paths, t, filter_.parameters(), filter_.appliedForce(), attitude_);
@@ -237,9 +227,8 @@ core::SolveReport TetherEnsemble::advanceOnePart(const core::CableModel& model,
     return report;
   EnsembleFilter::VesselNoise noise;
   noise.stddev = vessel_stddev;
-  noise.tension =
-      filter_.motionError().tether().vessel_tension_jacobian.transpose().cwiseProduct(vessel_stddev).norm();
-  filter_.update(t, members_.motion(), noise, origin_, earliest, history_);
+  noise.tension = filter_.motionError().tether().vesselTensionStddev(vessel_stddev);
+  filter_.update(t, members_.motion(), noise, origin_, history_);
   if (t >= relinearize_at_)
     linearize(error_rate);
   return report;
@@ -250,22 +239,19 @@ core::SolveReport TetherEnsemble::advance(const core::CableModel& model, const c
                                           core::CableState& state)
 {
   const double begin = members_.state(0).time;
-  const double earliest = history_.earliestUnprocessed();
   const int parts =
       static_cast<int>(std::clamp(std::ceil((t - begin) / LONGEST_STEP - 1e-9), 1.0, 1.0 * MOST_PARTS));
   core::SolveReport total;
   for (int k = 1; k <= parts; ++k)
   {
     const double to = k == parts ? t : begin + k * (t - begin) / parts;
-    const core::SolveReport report =
-        advanceOnePart(model, paths, vessel_stddev, error_rate, to, std::max(earliest, filter_.earliestTime()));
+    const core::SolveReport report = advanceOnePart(model, paths, vessel_stddev, error_rate, to);
     total.addCost(report);
     total.status = report.status;
     total.residual = report.residual;
     if (!report.converged())
       return total;
   }
-  history_.markProcessed();
   history_.discardBefore(filter_.earliestTime());
   summarize(vessel_stddev);
   state = members_.state(summary_.representative());

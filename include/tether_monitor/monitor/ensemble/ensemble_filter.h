@@ -71,11 +71,11 @@ class EnsembleFilter
   /**
    * The members have moved to time t [s].
    *
-   * @param history  measurements; those of `earliest` [s] and later that have not been seen are processed.
+   * @param history  measurements; those that have not been seen are processed, and marked so.
    * @param origin   of the members' coordinates in the world [m].
    */
   void update(double t, const MemberMotion& moved, const VesselNoise& noise, const core::Vector3& origin,
-              double earliest, MeasurementHistory& history);
+              MeasurementHistory& history);
 
   /// Parameters of the members.
   const ParameterMatrix& parameters() const { return parameters_; }
@@ -86,7 +86,6 @@ class EnsembleFilter
   const MemberVectors& appliedForce() const { return applied_; }
   /// Times that the parameters were drawn anew since the measurements contradicted them.
   long resets() const { return resets_; }
-  double resetAt() const { return reset_at_; }
   /// Time of the oldest measurement that can still count [s].
   double earliestTime() const
   {
@@ -102,7 +101,7 @@ class EnsembleFilter
   void serialize(Archive& a)
   {
     a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, random_,
-      walked_at_, began_at_, resets_, reset_at_, position_rate_, tension_rate_, direction_rate_, tension_spread_);
+      walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_);
   }
 
  private:
@@ -147,7 +146,7 @@ class EnsembleFilter
   void learn(const VehicleMeasurement& fix, const core::Vector3& innovation, EnsembleTransform& transform);
   ReadingRate& rateOf(VehicleMeasurement::Kind kind);
   double startError(double t) const;
-  void reset(double t);
+  void reset();
   void walk(double t);
   void feedBack(double dt);
 
@@ -170,7 +169,6 @@ class EnsembleFilter
   double spacing_;  // [s] of ticks
   double walked_at_ = 0.0, began_at_ = 0.0;
   long resets_ = 0;
-  double reset_at_ = -1e300;
   ReadingRate position_rate_, tension_rate_, direction_rate_;
   TensionSpread tension_spread_;
 };

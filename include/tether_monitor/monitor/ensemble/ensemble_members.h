@@ -64,8 +64,6 @@ class EnsembleMembers
   core::SolveReport advance(const core::CableModel& model, const core::BoundaryConditions& paths, double t,
                             const ParameterMatrix& parameters, const MemberVectors& force,
                             const std::optional<Eigen::Quaterniond>& attitude);
-  /// Member `i` goes on as member `from`; its parameters are not changed.
-  void replace(int i, int from);
 
   const MemberMotion& motion() const { return motion_; }
   const core::CableState& state(int i) const { return members_[i].state; }
@@ -104,6 +102,8 @@ class EnsembleMembers
   };
   void vary(double dt, const ParameterMatrix& parameters);
   void observe(int i, const core::CableModel& model);
+  // Member `i` goes on as member `from`.
+  void replace(int i, int from);
 
   int count_;
   core::StepperOptions options_;

@@ -2,13 +2,10 @@
 
 #include <vector>
 
-#include "tether_monitor/core/base/types.h"
+#include "tether_monitor/monitor/ensemble/member_statistics.h"
 
 namespace tether_monitor::monitor
 {
-/// Three numbers for each member.
-using MemberVectors = Eigen::Matrix<double, 3, Eigen::Dynamic>;
-
 /**
  * The ensemble transform Kalman filter for one measurement of up to three components, (E5) of
  * doc/theory/estimation.md: Bishop, Etherton and Majumdar (2001), the symmetric square root of Hunt, Kostelich and

@@ -62,7 +62,7 @@ class InnovationGate
   }
 
  private:
-  Verdict evaluateOther(const VehicleMeasurement& fix, double square);
+  Verdict evaluateOther(double square);
   Verdict reacquire(const VehicleMeasurement& fix, const core::Vector3& offset);
   void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square);
 

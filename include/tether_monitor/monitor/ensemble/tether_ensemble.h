@@ -98,8 +98,7 @@ class TetherEnsemble
 
  private:
   core::SolveReport advanceOnePart(const core::CableModel& model, const core::BoundaryConditions& paths,
-                                   const core::Vector3& vessel_stddev, double error_rate, double t,
-                                   double earliest);
+                                   const core::Vector3& vessel_stddev, double error_rate, double t);
   void linearize(double error_rate);
   void summarize(const core::Vector3& vessel_stddev);
   double oldestUsableTime(double t) const;

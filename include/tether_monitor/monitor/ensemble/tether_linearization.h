@@ -36,6 +36,11 @@ struct TetherLinearization
   RowVector3 vessel_tension_jacobian = RowVector3::Zero();  ///< tension at the vessel end for a displacement of
                                                             ///< that end as fast as the waves [N/m].
 
+  /// What an uncertain place of the vessel end makes of the tension there [N]. @param stddev  of that place [m].
+  double vesselTensionStddev(const core::Vector3& stddev) const
+  {
+    return vessel_tension_jacobian.transpose().cwiseProduct(stddev).norm();
+  }
   /// Goes over to another by a share 0..1: a stiffness that leaps would make a tension of every displacement.
   void blend(const TetherLinearization& other, double share);
 
