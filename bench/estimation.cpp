@@ -30,6 +30,11 @@ nlohmann::json toJson(const StudyResult& r)
           {"within_2", r.within_2},
           {"ok", r.ok},
           {"valid", r.valid},
+          {"implausible", r.implausible},
+          {"disagreement", r.disagreement},
+          {"sure_and_wrong", r.sure_and_wrong},
+          {"limit_alarms", r.limit_alarms},
+          {"hours", r.hours},
           {"runs", r.runs},
           {"cpu", r.cpu},
           {"vessel_rms", r.vessel_rms},
@@ -47,41 +52,53 @@ void print(const PooledScore& s)
               100.0 * s.within_90);
 }
 
-nlohmann::json pooled(const std::string& wanted, int draws)
+void printStatus(const StudyResult& r)
+{
+  std::printf(" %3.0f %3.0f %3.0f %5.1f |", 100.0 * r.ok, 100.0 * r.implausible, 100.0 * r.disagreement,
+              r.sure_and_wrong);
+}
+
+nlohmann::json pooledRow(const UncertainCase& c, int draws, double latency, bool has_load_cell)
+{
+  StudyOptions options;
+  options.draws = draws;
+  options.latency = latency;
+  options.has_load_cell = has_load_cell;
+  const StudyResult r = studyPooled(c, options);
+  std::printf("%s %.0f %d |", c.of.name.c_str(), latency, has_load_cell);
+  print(r.vessel);
+  print(r.vehicle);
+  std::printf(" %.2f %3.0f |", r.position_rms, 100.0 * r.position_within_2);
+  printStatus(r);
+  std::printf(" %d in %.1f h | %.2f\n", r.limit_alarms, r.hours, 100.0 * r.cpu);
+  std::fflush(stdout);
+  nlohmann::json row = toJson(r);
+  row["case"] = c.of.name;
+  row["latency"] = latency;
+  row["load_cell"] = has_load_cell;
+  return row;
+}
+
+nlohmann::json pooled(const std::vector<UncertainCase>& cases, const std::string& wanted, int draws)
 {
   std::printf(
       "case, latency, load cell | vessel: mean, rms, band [N], NEES, within 1 sigma, 5..95 %% | vehicle: the "
-      "same | position rms, 2 sigma | OK | %% of a core\n");
+      "same | position rms, 2 sigma | OK, IMPLAUSIBLE, DISAGREEMENT %%, longest sure and wrong [s] | "
+      "false limit alarms | %% of a core\n");
   nlohmann::json rows = nlohmann::json::array();
-  for (const UncertainCase& c : uncertainCases())
+  for (const UncertainCase& c : cases)
     for (const double latency : {0.0, 1.0})
       for (const bool has_load_cell : {false, true})
-      {
-        if (wanted.find(c.of.name) == std::string::npos)
-          continue;
-        StudyOptions options;
-        options.draws = draws;
-        options.latency = latency;
-        options.has_load_cell = has_load_cell;
-        const StudyResult r = studyPooled(c, options);
-        std::printf("%s %.0f %d |", c.of.name.c_str(), latency, has_load_cell);
-        print(r.vessel);
-        print(r.vehicle);
-        std::printf(" %.2f %3.0f | %3.0f | %.2f\n", r.position_rms, 100.0 * r.position_within_2, 100.0 * r.ok,
-                    100.0 * r.cpu);
-        std::fflush(stdout);
-        nlohmann::json row = toJson(r);
-        row["case"] = c.of.name;
-        row["latency"] = latency;
-        row["load_cell"] = has_load_cell;
-        rows.push_back(row);
-      }
+        if (wanted.find(c.of.name) != std::string::npos)
+          rows.push_back(pooledRow(c, draws, latency, has_load_cell));
   return rows;
 }
 
 nlohmann::json misconfigured(const std::string& wanted)
 {
-  std::printf("case, configured wrong | positions: rms over mean, band, within 2 sigma, OK | with load cell\n");
+  std::printf(
+      "case, configured wrong | positions: rms over mean, band, within 2 sigma | OK, IMPLAUSIBLE, "
+      "DISAGREEMENT %%, longest sure and wrong [s] | with load cell\n");
   nlohmann::json rows = nlohmann::json::array();
   for (const UncertainCase& c : uncertainCases())
     for (const Misconfiguration& fault : misconfigurations())
@@ -96,8 +113,9 @@ nlohmann::json misconfigured(const std::string& wanted)
         options.has_load_cell = has_load_cell;
         options.mislead = fault.mislead;
         const StudyResult r = studyPooled(c, options);
-        std::printf(" %5.1f %% %5.1f %% %4.0f %% %4.0f %% |", 100.0 * meanOf(r.vessel_rms),
-                    100.0 * r.vessel.band / r.vessel.mean, 100.0 * r.within_2, 100.0 * r.ok);
+        std::printf(" %5.1f %% %5.1f %% %4.0f %% |", 100.0 * meanOf(r.vessel_rms),
+                    100.0 * r.vessel.band / r.vessel.mean, 100.0 * r.within_2);
+        printStatus(r);
         nlohmann::json row = toJson(r);
         row["case"] = c.of.name;
         row["wrong"] = fault.what;
@@ -123,7 +141,10 @@ int main(int argc, char** argv)
   }
   const std::string cases = argc > 2 ? argv[2] : "CDGRMS";
   nlohmann::json out;
-  out["pooled"] = bench::pooled(cases, argc > 3 ? std::atoi(argv[3]) : 32);
+  const int draws = argc > 3 ? std::atoi(argv[3]) : 32;
+  out["pooled"] = bench::pooled(bench::uncertainCases(), cases, draws);
+  std::printf("the current changes by 0.3 m/s; from five minutes after that on\n");
+  out["changing_current"] = bench::pooled(bench::changingCurrents(), cases, std::min(draws, 8));
   out["misconfigured"] = bench::misconfigured(cases);
   std::ofstream(argv[1]) << out.dump(1) << "\n";
   return 0;

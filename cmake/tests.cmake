@@ -92,6 +92,7 @@ set(test_files
   test/monitor/ensemble/ensemble_start_test.cpp
   test/monitor/ensemble/ensemble_summary_test.cpp
   test/monitor/ensemble/ensemble_transform_test.cpp
+  test/monitor/ensemble/improbability_test.cpp
   test/monitor/ensemble/innovation_gate_test.cpp
   test/monitor/ensemble/motion_error_filter_test.cpp
   test/monitor/ensemble/measurement_timing_test.cpp

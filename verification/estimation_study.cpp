@@ -85,6 +85,12 @@ UncertainCase thrusting(const std::string& name, const std::string& what)
   return c;
 }
 
+double changedBy(const UncertainCase& c, double t)
+{
+  constexpr double RAMP = 10.0;
+  return std::clamp((t - c.changes_at) / RAMP, 0.0, 1.0);
+}
+
 EndMotion centreOf(const core::CableState& state)
 {
   return {state.q.back().head<3>(), state.v.back().head<3>()};
@@ -105,11 +111,28 @@ std::vector<UncertainCase> uncertainCases()
   UncertainCase way = thrusting("M", "manoeuvres at 0.5 m/s");
   way.of.sea.current = core::CurrentProfile(Vector3(0.2, 0.0, 0.0));
   way.manoeuvre = 0.5;
+  way.force_stddev = 700.0;
   cases.push_back(way);
   UncertainCase slack = thrusting("S", "slack tether in a sheared current");
   slack.of.tether.length = 190.0;
   slack.of.sea.current = core::CurrentProfile({{0.0, {0.4, 0.1, 0.0}}, {120.0, {-0.1, 0.1, 0.0}}});
   cases.push_back(slack);
+  return cases;
+}
+
+std::vector<UncertainCase> changingCurrents()
+{
+  std::vector<UncertainCase> cases;
+  for (UncertainCase& c : uncertainCases())
+    if (c.of.name == "C" || c.of.name == "G")
+    {
+      c.true_elements = 50;
+      c.current_change = {0.3, 0.0, 0.0};
+      c.changes_at = 200.0;
+      c.of.count_from = 500.0;
+      c.of.duration = 700.0;
+      cases.push_back(c);
+    }
   return cases;
 }
 
@@ -171,6 +194,8 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
     const double t = truth.timeOf(i);
     if (i > 0)
     {
+      state.deployment.variation.current +=
+          (changedBy(uncertain, t) - changedBy(uncertain, t - truth.step)) * uncertain.current_change;
       core::BoundaryConditions ends;
       ends.vessel = core::EndTrajectory::between(state.time, vesselAt(c, state.time), t, vesselAt(c, t));
       if (!uncertain.is_towed)
@@ -241,13 +266,23 @@ struct Sums
     return n > 0 ? std::sqrt(square / static_cast<double>(n)) / (mean / static_cast<double>(n)) : 0.0;
   }
 };
+
+constexpr double NOT_SURE = 1e9;
+
+bool isSureAndWrong(const Truth& truth, const Trail& trail, std::size_t i)
+{
+  const double true_tension = truth.vessel_tension[trail.index[i]];
+  const double error = std::abs(trail.vessel_tension[i] - true_tension);
+  return trail.status[i] == monitor::Status::OK && error > 0.1 * true_tension &&
+         error > 2.0 * trail.vessel_stddev[i];
+}
 }  // namespace
 
 StudyResult studyPooled(const UncertainCase& c, const StudyOptions& options)
 {
   StudyResult result;
   Sums vessel, vehicle;
-  double square = 0.0, within = 0.0, ok = 0.0, valid = 0.0, total = 0.0;
+  double square = 0.0, within = 0.0, ok = 0.0, valid = 0.0, total = 0.0, implausible = 0.0, disagreement = 0.0;
   std::atomic<int> next{0};
   std::mutex mutex;
   const auto work = [&]
@@ -279,13 +314,25 @@ StudyResult studyPooled(const UncertainCase& c, const StudyOptions& options)
         options.mislead(config);
       const Trail trail = observe(truth, config, sensors);
       Sums a, b;
+      double sure_since = NOT_SURE;
       const std::lock_guard<std::mutex> lock(mutex);
+      result.limit_alarms += trail.limit_alarm;
+      result.hours += trail.t.back() / 3600.0;
       for (std::size_t i = 0; i < trail.t.size(); ++i)
       {
         if (trail.t[i] < c.of.count_from)
           continue;
         total += 1.0;
         ok += trail.status[i] == monitor::Status::OK;
+        implausible += trail.reason[i] == monitor::Reason::IMPLAUSIBLE;
+        disagreement += trail.reason[i] == monitor::Reason::DISAGREEMENT;
+        if (!isSureAndWrong(truth, trail, i))
+          sure_since = NOT_SURE;
+        else
+        {
+          sure_since = std::min(sure_since, trail.t[i]);
+          result.sure_and_wrong = std::max(result.sure_and_wrong, trail.t[i] - sure_since);
+        }
         if (trail.status[i] == monitor::Status::INVALID)
           continue;
         valid += 1.0;
@@ -319,6 +366,8 @@ StudyResult studyPooled(const UncertainCase& c, const StudyOptions& options)
   result.position_within_2 = within / std::max(valid, 1.0);
   result.ok = ok / std::max(total, 1.0);
   result.valid = valid / std::max(total, 1.0);
+  result.implausible = implausible / std::max(total, 1.0);
+  result.disagreement = disagreement / std::max(total, 1.0);
   return result;
 }
 

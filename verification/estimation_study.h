@@ -19,11 +19,15 @@ struct UncertainCase
   monitor::UncertaintyConfig told;    ///< what is told to the estimator, and what truths are drawn from.
   double vehicle_drag_stddev = 0.15;  ///< likewise [-].
   int true_elements = 50;
+  core::Vector3 current_change = core::Vector3::Zero();  ///< of the true current, in ten seconds [m/s].
+  double changes_at = 0.0;                               ///< [s]
 };
 
 /// C (tow in heave), D (tow in a turn), G (keeps its station in a current), R (rests), M (manoeuvres at 0.5 m/s),
 /// S (slack tether in a sheared current).
 std::vector<UncertainCase> uncertainCases();
+/// C and G in a current that changes by 0.3 m/s after 200 s, scored from five minutes after that on.
+std::vector<UncertainCase> changingCurrents();
 
 /// What is otherwise in a truth than was told.
 struct TruthDraw
@@ -54,9 +58,12 @@ struct PooledScore
 struct StudyResult
 {
   PooledScore vessel, vehicle;
-  double position_rms = 0.0, position_within_2 = 0.0;  ///< [m], share
-  double within_2 = 0.0;                               ///< of the vessel tension.
-  double ok = 0.0, valid = 0.0;
+  double position_rms = 0.0, position_within_2 = 0.0;                   ///< [m], share
+  double within_2 = 0.0;                                                ///< of the vessel tension.
+  double ok = 0.0, valid = 0.0, implausible = 0.0, disagreement = 0.0;  ///< shares of the time.
+  double sure_and_wrong = 0.0;  ///< longest time OK, more than 10 % off and outside two standard deviations [s].
+  int limit_alarms = 0;         ///< runs in which the limit alarm rose, though the truth stays below the limit.
+  double hours = 0.0;           ///< simulated.
   int runs = 0;
   double cpu = 0.0;                             ///< [s] a simulated second.
   std::vector<double> vessel_rms, vehicle_rms;  ///< of every run, over its mean.

@@ -270,9 +270,9 @@ bool EnsembleFilter::look(const VehicleMeasurement& fix, std::size_t tick, const
 
 bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vector3& innovation)
 {
-  const core::Matrix3 S =
-      motion_.innovationCovariance(sight_.jacobian, sight_.noise) + covarianceOf(sight_.predicted);
-  switch (gate_.evaluate(fix, innovation, S))
+  const core::Matrix3 spread = covarianceOf(sight_.predicted);
+  const core::Matrix3 S = motion_.innovationCovariance(sight_.jacobian, sight_.noise) + spread;
+  switch (gate_.evaluate(fix, innovation, S, spread))
   {
     case InnovationGate::Verdict::ACCEPT:
       return true;

@@ -67,7 +67,9 @@ InnovationGate::Verdict InnovationGate::reacquire(const VehicleMeasurement& fix,
   return is_open ? Verdict::REACQUIRE : Verdict::RESET;
 }
 
-void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square)
+// What lasts does not average out: of a share c of the variance, c is left of the mean's.
+void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled,
+                                      const core::Vector3& lasting, double square)
 {
   ++samples_;
   const double share = std::max(SQUARE_SHARE, 1.0 / (samples_ + 10.0));
@@ -76,11 +78,14 @@ void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core:
     if (fix.measuresPosition(axis))
     {
       mean_[axis] += MEAN_SHARE * (scaled[axis] - mean_[axis]);
+      lasting_[axis] += MEAN_SHARE * (lasting[axis] - lasting_[axis]);
       ++axes;
     }
   square_ += share * (square / axes - square_);
   report_.noise_scale = std::sqrt(square_);
-  report_.normalized_innovation_mean = mean_.norm() / std::sqrt(MEAN_SHARE / (2.0 - MEAN_SHARE));
+  const double left = MEAN_SHARE / (2.0 - MEAN_SHARE);
+  report_.normalized_innovation_mean =
+      mean_.cwiseQuotient((left + (1.0 - left) * lasting_.array()).sqrt().matrix()).norm();
 }
 
 InnovationGate::Verdict InnovationGate::evaluateOther(double square)
@@ -99,7 +104,7 @@ InnovationGate::Verdict InnovationGate::evaluateOther(double square)
 }
 
 InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, const core::Vector3& innovation,
-                                                 const core::Matrix3& covariance)
+                                                 const core::Matrix3& covariance, const core::Matrix3& lasting)
 {
   const double square = innovation.dot(covariance.ldlt().solve(innovation));
   if (fix.kind != VehicleMeasurement::Kind::POSITION)
@@ -115,7 +120,9 @@ InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, 
   if (square < CHI2_3DOF_0999 * noiseVarianceScale())
   {
     consecutive_rejections_ = 0;
-    updateStatistics(fix, innovation.cwiseQuotient(expected), square);
+    const core::Vector3 share =
+        lasting.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(0.0).cwiseMin(1.0);
+    updateStatistics(fix, innovation.cwiseQuotient(expected), share, square);
   }
   else
   {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "tether_monitor/monitor/ensemble/improbability.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
 
 namespace tether_monitor::monitor
@@ -19,7 +20,6 @@ constexpr double FIRST_DRIFT = 0.3;               // speed by which the vehicle 
 constexpr double FRESH_INTERVALS = 4.0;  // so many usual intervals a position is fresh enough to begin with
 constexpr int FIRST_FIXES = 3, MEDIAN_OF = 5, MOST_PARTS = 128;
 constexpr double MODEL_ERROR = 0.005;       // of a tension, relative: mesh, step, rounding of motions [-]
-constexpr double IMPROBABLE = 4.0;          // standard deviations that chance does not explain
 constexpr double LARGEST_CORRECTION = 0.5;  // of a tension, by what the nominal vehicle has not followed yet
 
 double rootMeanVariance(const core::Matrix3& covariance)
@@ -301,30 +301,8 @@ void TetherEnsemble::describe(const core::DeployedCable& cable, TetherEstimate& 
 
 void TetherEnsemble::reportImprobable(const std::function<void(Subject, Implausibility)>& note) const
 {
-  if (!std::isfinite(initialized_at_))
-    return;
-  const auto isImprobable = [&](Parameter p)
-  {
-    const double stddev = filter_.prior().stddev[p];
-    return stddev > 0.0 && std::abs(filter_.parameters().row(p).mean()) > IMPROBABLE * stddev;
-  };
-  const auto check = [&](std::initializer_list<Parameter> parameters, Subject subject, Implausibility what)
-  {
-    if (std::any_of(parameters.begin(), parameters.end(), isImprobable))
-      note(subject, what);
-  };
-  check({LENGTH}, Subject::TETHER, Implausibility::IMPROBABLE_LENGTH);
-  check({DRAG_NORMAL, DRAG_TANGENTIAL}, Subject::TETHER, Implausibility::IMPROBABLE_DRAG);
-  check({MASS_PER_LENGTH}, Subject::TETHER, Implausibility::IMPROBABLE_MASS);
-  check({AXIAL_STIFFNESS}, Subject::TETHER, Implausibility::IMPROBABLE_STIFFNESS);
-  check({CURRENT_X, CURRENT_Y, SHEAR_X, SHEAR_Y}, Subject::WATER, Implausibility::IMPROBABLE_CURRENT);
-  check({VEHICLE_DRAG}, Subject::VEHICLE, Implausibility::IMPROBABLE_VEHICLE_DRAG);
-  check({TENSION_BIAS}, Subject::SENSOR, Implausibility::IMPROBABLE_TENSION);
-  check({DIRECTION_AZIMUTH, DIRECTION_ELEVATION}, Subject::SENSOR, Implausibility::IMPROBABLE_DIRECTION);
-  const core::Vector3 force =
-      filter_.motionError().means().middleRows<3>(MotionErrorFilter::SLOW).rowwise().mean();
-  if (force.cwiseAbs().maxCoeff() > IMPROBABLE * filter_.unknownForce().slow_stddev)
-    note(Subject::VEHICLE, Implausibility::IMPROBABLE_FORCE);
+  if (std::isfinite(initialized_at_))
+    findImprobable(filter_, note);
 }
 
 bool TetherEnsemble::isInconsistent(double t) const

@@ -19,7 +19,7 @@ Verdict evaluate(InnovationGate& gate, double t, const Vector3& offset)
 {
   const VehicleMeasurement fix{t, VehicleMeasurement::Kind::POSITION,
                                MeasuredVector::withStddev(Vector3::Zero(), Vector3::Constant(STDDEV))};
-  return gate.evaluate(fix, offset, 1.1 * STDDEV * STDDEV * core::Matrix3::Identity());
+  return gate.evaluate(fix, offset, 1.1 * STDDEV * STDDEV * core::Matrix3::Identity(), core::Matrix3::Zero());
 }
 
 // A gate that has believed a minute of good positions.
@@ -94,6 +94,25 @@ TEST(InnovationGate, ADriftToOneSideIsNoticed)
   EXPECT_GT(gate.noiseVarianceScale(), 1.0);
 }
 
+// What the members do not know yet puts all innovations on one side, and contradicts nothing.
+TEST(InnovationGate, WhatIsUncertainAndLastsIsNoContradiction)
+{
+  const core::Matrix3 lasting = 0.9 * core::Matrix3::Identity();
+  InnovationGate gate;
+  gate.start(0.0, 0.0);
+  int t = 1;
+  const auto run = [&](double offset)
+  {
+    for (const int until = t + 60; t < until; ++t)
+      gate.evaluate({1.0 * t, VehicleMeasurement::Kind::POSITION,
+                     MeasuredVector::withStddev(Vector3::Zero(), Vector3::Constant(STDDEV))},
+                    {0.0, 0.0, offset}, lasting + STDDEV * STDDEV * core::Matrix3::Identity(), lasting);
+  };
+  run(1.5);
+  EXPECT_FALSE(gate.isInconsistent(t));
+  EXPECT_NEAR(gate.report().normalized_innovation_mean, 1.5 / 0.95, 0.1) << "standard deviations of what lasts";
+}
+
 TEST(InnovationGate, ALoadCellThatIsOffForLongMeansThatTheParametersAre)
 {
   InnovationGate gate = trusting();
@@ -103,7 +122,7 @@ TEST(InnovationGate, ALoadCellThatIsOffForLongMeansThatTheParametersAre)
   int readings = 0;
   for (Verdict verdict = Verdict::REJECT; verdict == Verdict::REJECT && readings < 1000; ++readings)
     verdict = gate.evaluate({61.0 + 0.1 * readings, VehicleMeasurement::Kind::TENSION, reading}, {400.0, 0.0, 0.0},
-                            100.0 * core::Matrix3::Identity());
+                            100.0 * core::Matrix3::Identity(), core::Matrix3::Zero());
   EXPECT_NEAR(readings, 60, 1);
 }
 }  // namespace tether_monitor::monitor

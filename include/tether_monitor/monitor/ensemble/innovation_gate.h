@@ -42,9 +42,12 @@ class InnovationGate
     REACQUIRE,  ///< accept: where the prediction was none to insist on, others agree with it.
     RESET       ///< accept: so many agree with it that the prediction must be wrong.
   };
-  /// @param innovation  measured less predicted. @param covariance  of that.
-  Verdict evaluate(const VehicleMeasurement& fix, const core::Vector3& innovation,
-                   const core::Matrix3& covariance);
+  /**
+   * @param innovation  measured less predicted.
+   * @param covariance  of that. @param lasting  the part of it that is the same in many measurements.
+   */
+  Verdict evaluate(const VehicleMeasurement& fix, const core::Vector3& innovation, const core::Matrix3& covariance,
+                   const core::Matrix3& lasting);
 
   /// Factor on the variance of measurements: those that scatter more than they should are worse than they say.
   double noiseVarianceScale() const;
@@ -58,13 +61,14 @@ class InnovationGate
   void serialize(Archive& a)
   {
     a(last_accepted_, last_seen_, reacquisition_until_, consecutive_rejections_, last_offset_, last_refused_,
-      square_, mean_, samples_, other_refusals_, inconsistent_until_, report_);
+      square_, mean_, lasting_, samples_, other_refusals_, inconsistent_until_, report_);
   }
 
  private:
   Verdict evaluateOther(double square);
   Verdict reacquire(const VehicleMeasurement& fix, const core::Vector3& offset);
-  void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, double square);
+  void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, const core::Vector3& lasting,
+                        double square);
 
   core::Vector3 last_accepted_ = core::Vector3::Zero();  // of every axis
   double last_seen_ = 0.0;                               // last position, accepted or not
@@ -73,7 +77,7 @@ class InnovationGate
   core::Vector3 last_offset_ = core::Vector3::Zero();
   double last_refused_ = 0.0;
   double square_ = 1.0;  // running mean of the squared distances, over three
-  core::Vector3 mean_ = core::Vector3::Zero();
+  core::Vector3 mean_ = core::Vector3::Zero(), lasting_ = core::Vector3::Zero();
   int samples_ = 0;
   int other_refusals_ = 0;  // of what is no position, in a row
   double inconsistent_until_ = -1e300;
