@@ -3,7 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "bench/member_elimination.h"
 #include "tether_monitor/core/assembly/deployed_cable.h"
 #include "verification/reference_cases.h"
 
@@ -131,6 +133,38 @@ void elimination(benchmark::State& run)
   label(run);
 }
 
+// The same for eight members of an ensemble at once, a lane each; time a member is an eighth. Systems are copied
+// in between, and the copy alone is `elimination_members_copy`.
+template <bool SOLVES>
+void memberElimination(benchmark::State& run)
+{
+  Setting s(static_cast<int>(run.range(0)), kernelOf(run));
+  core::NodeField right(s.model.nodes()), expected;
+  core::BlockTridiagonal tangent(s.model.nodes());
+  s.cable.assemble(s.state, {1.0, 0.03, 0.0006}, right, tangent, core::TangentKind::SYMMETRIC);
+  core::imposePrescribedEnds(core::PrescribedEnds(), tangent);
+  MemberElimination members(s.model.nodes());
+  for (int lane = 0; lane < MemberElimination::MEMBERS; ++lane)
+    members.set(lane, tangent, right);
+  MemberElimination now = members;
+  for (auto _ : run)
+  {
+    now = members;
+    if (SOLVES)
+      now.solve(kernelOf(run).name);
+    benchmark::ClobberMemory();
+  }
+  if (SOLVES)
+  {
+    expected = right;
+    tangent.solve(s.model.kernel().solve, expected);
+    const int middle = s.model.nodes() / 2;
+    if ((now.solution(3, middle) - expected[middle]).norm() > 1e-9 * expected[middle].norm())
+      throw std::logic_error("the two eliminations differ");
+  }
+  label(run);
+}
+
 void step(benchmark::State& run)
 {
   Setting s(static_cast<int>(run.range(0)), kernelOf(run));
@@ -194,6 +228,8 @@ void registerAll()
   add("assembly_symmetric", assembly<core::TangentKind::SYMMETRIC>);
   add("assembly_complete", assembly<core::TangentKind::COMPLETE>);
   add("elimination", elimination);
+  add("elimination_members", memberElimination<true>);
+  add("elimination_members_copy", memberElimination<false>);
   add("step", step);
   add("simulated_second", simulatedSecond);
   add("save_and_restore", saveAndRestore);

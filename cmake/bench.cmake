@@ -1,7 +1,7 @@
 # The benchmarks of bench/; see bench/README.md.
 find_package(benchmark REQUIRED)
 
-add_executable(bench_kernels bench/kernel_benchmark.cpp)
+add_executable(bench_kernels bench/kernel_benchmark.cpp bench/member_elimination.cpp)
 target_link_libraries(bench_kernels PRIVATE tether_monitor_verification benchmark::benchmark tether_monitor_options)
 
 function(add_bench_driver name source)
