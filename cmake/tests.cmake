@@ -81,6 +81,9 @@ set(test_files
   test/monitor/estimator/steady_start_test.cpp
   test/monitor/estimator/tether_estimator_test.cpp
   test/monitor/estimator/tracked_body_test.cpp
+  test/monitor/forecast/end_motion_predictor_test.cpp
+  test/monitor/forecast/forecast_traces_test.cpp
+  test/monitor/forecast/tether_forecaster_test.cpp
   test/monitor/measurements/body_state_test.cpp
   test/monitor/measurements/correction_blender_test.cpp
   test/monitor/measurements/measured_vector_test.cpp

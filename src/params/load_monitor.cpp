@@ -58,6 +58,11 @@ void loadMonitor(ParameterReader in, monitor::Config& config)
   config.invalid_timeout = in.number("invalid_timeout", config.invalid_timeout);
   config.navigation.degraded_stddev = in.number("degraded_stddev", config.navigation.degraded_stddev);
   config.navigation.invalid_stddev = in.number("invalid_stddev", config.navigation.invalid_stddev);
+  ParameterReader forecast = in.child("forecast");
+  config.forecast.horizon = forecast.number("horizon", config.forecast.horizon);
+  config.forecast.rate = forecast.number("rate", config.forecast.rate);
+  config.forecast.members = forecast.integer("members", config.forecast.members);
+  forecast.finish();
   ParameterReader alarms = in.child("alarms");
   for (const monitor::AlarmQuantity& quantity : monitor::alarmQuantities())
     loadAlarm(alarms.child(quantity.name), monitor::alarmConfig(config, quantity.name));

@@ -119,6 +119,9 @@ std::vector<std::string> validate(const Config& c)
   core::BoundsCheck check("monitor.");
   check.within("rate", c.rate, 0.1, 1000.0, "Hz");
   check.positive("pose_timeout", c.pose_timeout, "s");
+  check.within("forecast.horizon", c.forecast.horizon, 1.0, 300.0, "s");
+  check.within("forecast.rate", c.forecast.rate, 0.0, 5.0, "Hz");
+  check.within("forecast.members", c.forecast.members, 8, 1000, "[-]");
   check.check(std::isfinite(c.invalid_timeout) && c.invalid_timeout >= c.pose_timeout, "invalid_timeout",
               c.invalid_timeout, ">= pose_timeout, in s");
   add(check.problems(), all);

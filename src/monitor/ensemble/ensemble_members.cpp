@@ -14,6 +14,8 @@ constexpr double RAMP = 2.0, LENGTH_RAMP = 5.0;  // [s] of each of two stages
 constexpr double VARIATION_INTERVAL = 0.2;       // [s] between changes of what acts
 constexpr double LARGEST_FAILING_SHARE = 0.25;
 
+}  // namespace
+
 core::Vector3 torqueTowards(const core::RigidBody& body, const Eigen::Quaterniond& attitude,
                             const core::AttitudeState& now)
 {
@@ -23,7 +25,6 @@ core::Vector3 torqueTowards(const core::RigidBody& body, const Eigen::Quaternion
   return (body.inertia + body.added_inertia)
       .cwiseProduct(ATTITUDE_RATE * ATTITUDE_RATE * 2.0 * off.vec() - 2.0 * ATTITUDE_RATE * now.velocity);
 }
-}  // namespace
 
 MemberMotion::MemberMotion(int members)
   : position(MemberVectors::Zero(3, members)),

@@ -9,15 +9,6 @@ namespace
 {
 constexpr double NORMAL_P95 = 1.6448536;
 constexpr double LARGER = 2.0, MORE = 0.3;  // of the squared distance from the medians: too far to stay
-
-// The value below which a share of the sorted ones lie, in between linear.
-double quantile(const Eigen::RowVectorXd& sorted, double share)
-{
-  const double at =
-      std::clamp(share * static_cast<double>(sorted.size()) - 0.5, 0.0, static_cast<double>(sorted.size() - 1));
-  const auto k = std::min<Eigen::Index>(static_cast<Eigen::Index>(at), sorted.size() - 2);
-  return sorted[k] + (at - static_cast<double>(k)) * (sorted[k + 1] - sorted[k]);
-}
 }  // namespace
 
 Distribution distributionOf(Eigen::RowVectorXd& values, double own)

@@ -45,6 +45,11 @@ core::SolveReport FreeVehicleEnd::advance(core::BoundaryConditions& paths, const
   return simulation.stepper.advance(simulation.model, paths, t, simulation.state);
 }
 
+void FreeVehicleEnd::prepareForecast(ForecastStart& start) const
+{
+  start.thrust = thrust_.at(start.t);
+}
+
 void FreeVehicleEnd::describe(CableSimulation& simulation, TetherEstimate& estimate) const
 {
   describeVehicle(simulation.updatedCable(), simulation.state, estimate);

@@ -196,6 +196,21 @@ Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
   return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
 }
 
+void ObservedVehicleEnd::prepareForecast(ForecastStart& start) const
+{
+  const EnsembleFilter& filter = ensemble_.filter();
+  const MotionErrorFilter& error = filter.motionError();
+  start.thrust = thrust_.at(start.t);
+  start.attitude = ensemble_.attitude();
+  start.unknown_force = filter.unknownForce();
+  start.slow_force_covariance =
+      error.covariance().block<3, 3>(MotionErrorFilter::SLOW, MotionErrorFilter::SLOW);
+  start.members.reserve(ensemble_.members().size());
+  for (int i = 0; i < ensemble_.members().size(); ++i)
+    start.members.push_back({ensemble_.members().state(i), error.means().col(i).segment<3>(MotionErrorFilter::SLOW),
+                             error.means().col(i).segment<3>(MotionErrorFilter::FAST)});
+}
+
 bool ObservedVehicleEnd::isValid(const core::CableModel& model) const
 {
   return track_.isValid() && thrust_.isValid() && ensemble_.isValid(model);

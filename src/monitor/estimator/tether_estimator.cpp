@@ -31,6 +31,10 @@ void TetherEstimator::setEpoch(double epoch)
 const TetherEstimate& TetherEstimator::watched(const TetherEstimate& estimate)
 {
   alarms_changed_ = alarms_.update(estimate);
+  if (!isRunning())
+    forecast_inputs_.clear();
+  else if (estimate.has_stations)
+    forecast_inputs_.observe(simulation(), vehicle());
   return estimate;
 }
 
@@ -54,6 +58,14 @@ std::vector<ParameterEstimate> TetherEstimator::parameters() const
     return {};
   return parameterReport(*ensemble, config_, simulation().length(),
                          simulation().model.environment().current().at(0.0));
+}
+
+std::optional<ForecastStart> TetherEstimator::forecastStart() const
+{
+  if (!isRunning() || !estimate().has_stations || !forecast_inputs_.isReady())
+    return std::nullopt;
+  const double rate = std::isfinite(estimate().payout_rate) ? estimate().payout_rate : 0.0;
+  return forecast_inputs_.start(simulation(), vehicle(), rate);
 }
 
 std::vector<std::uint8_t> TetherEstimator::save() const

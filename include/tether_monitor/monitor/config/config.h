@@ -11,6 +11,7 @@
 #include "tether_monitor/core/solve/adaptive_stepper.h"
 #include "tether_monitor/monitor/config/alarm_config.h"
 #include "tether_monitor/monitor/config/body_config.h"
+#include "tether_monitor/monitor/config/forecast_config.h"
 #include "tether_monitor/monitor/config/navigation_config.h"
 #include "tether_monitor/monitor/config/uncertainty_config.h"
 
@@ -39,6 +40,7 @@ struct Config
   double pose_timeout = 1.0;     ///< [s], > 0.
   double invalid_timeout = 5.0;  ///< [s], >= pose_timeout.
   AlarmsConfig alarms;
+  ForecastConfig forecast;
 };
 
 /// Every bound that `config` violates, one sentence each, named as in the parameter tree; those of the alarms are

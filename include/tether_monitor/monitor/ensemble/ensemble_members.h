@@ -11,6 +11,10 @@
 
 namespace tether_monitor::monitor
 {
+/// Torque that turns a body to an attitude, critically damped within some seconds [N m], body axes.
+core::Vector3 torqueTowards(const core::RigidBody& body, const Eigen::Quaterniond& attitude,
+                            const core::AttitudeState& now);
+
 /// How all members move at one time: a column each.
 struct MemberMotion
 {

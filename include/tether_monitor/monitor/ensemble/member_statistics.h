@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "tether_monitor/core/base/types.h"
 
 namespace tether_monitor::monitor
@@ -22,6 +24,15 @@ inline core::Matrix3 covarianceOf(const Eigen::Ref<const MemberVectors, 0, Eigen
   for (Eigen::Index i = 0; i < x.cols(); ++i)
     sum += (x.col(i) - mean) * (x.col(i) - mean).transpose();
   return sum / static_cast<double>(x.cols() - 1);
+}
+
+/// The value below which a share (0..1) of at least two sorted ones lie, in between linear.
+inline double quantile(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& sorted, double share)
+{
+  const double last = static_cast<double>(sorted.size() - 1);
+  const double at = std::clamp(share * static_cast<double>(sorted.size()) - 0.5, 0.0, last);
+  const auto k = std::min<Eigen::Index>(static_cast<Eigen::Index>(at), sorted.size() - 2);
+  return sorted[k] + (at - static_cast<double>(k)) * (sorted[k + 1] - sorted[k]);
 }
 
 }  // namespace tether_monitor::monitor

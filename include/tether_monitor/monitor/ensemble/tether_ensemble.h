@@ -88,6 +88,8 @@ class TetherEnsemble
   const EnsembleFilter& filter() const { return filter_; }
   const EnsembleMembers& members() const { return members_; }
   const EnsembleSummary& summary() const { return summary_; }
+  /// Measured attitude that the vehicles are held in.
+  const std::optional<Eigen::Quaterniond>& attitude() const { return attitude_; }
   bool isValid(const core::CableModel& model) const;
 
   template <class Archive>

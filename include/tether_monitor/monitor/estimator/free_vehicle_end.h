@@ -31,6 +31,7 @@ class FreeVehicleEnd final : public VehicleEnd
   core::CableModel modelAtRest(const core::CableModel& model, const VehicleInitialization& start) const override;
   core::SolveReport advance(core::BoundaryConditions& paths, const EndTargets& targets, double t,
                             CableSimulation& simulation) override;
+  void prepareForecast(ForecastStart& start) const override;
   void describe(CableSimulation& simulation, TetherEstimate& estimate) const override;
   const MotionBuffer& track() const override { return body_.track(); }
   bool isValid(const core::CableModel& /*model*/) const override { return body_.isValid() && thrust_.isValid(); }

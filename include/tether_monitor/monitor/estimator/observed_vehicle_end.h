@@ -52,6 +52,7 @@ class ObservedVehicleEnd final : public VehicleEnd
   {
     ensemble_.reportImprobable(note);
   }
+  void prepareForecast(ForecastStart& start) const override;
   const MotionBuffer& track() const override { return track_; }
   const TetherEnsemble* ensemble() const override { return &ensemble_; }
   bool isValid(const core::CableModel& model) const override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "tether_monitor/monitor/ensemble/parameter_report.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/monitor/estimator/estimation_cycle.h"
+#include "tether_monitor/monitor/estimator/forecast_inputs.h"
 
 namespace tether_monitor::monitor
 {
@@ -134,6 +136,10 @@ class TetherEstimator
   /// What is believed of tether, water and vehicle; empty unless an ensemble is in motion. Allocates.
   std::vector<ParameterEstimate> parameters() const;
 
+  /// What a forecast begins with, copied; nothing unless a tether is in motion and its estimate is valid.
+  /// Allocates.
+  std::optional<ForecastStart> forecastStart() const;
+
   /// Everything that changes while it works, as bytes: see binary_archive.h. Inputs and estimate included.
   std::vector<std::uint8_t> save() const;
   /// Goes on from where save() was called in an estimator of the same configuration, bit for bit. @return false,
@@ -147,7 +153,7 @@ class TetherEstimator
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(cycle_, alarms_changed_, alarms_);
+    a(cycle_, alarms_changed_, alarms_, forecast_inputs_);
   }
   const TetherEstimate& watched(const TetherEstimate& estimate);
 
@@ -155,6 +161,7 @@ class TetherEstimator
   EstimationCycle cycle_;
   AlarmSet alarms_;
   bool alarms_changed_ = false;
+  ForecastInputs forecast_inputs_;
 };
 
 }  // namespace tether_monitor::monitor

@@ -10,6 +10,7 @@
 #include "tether_monitor/monitor/ensemble/tether_ensemble.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
 #include "tether_monitor/monitor/estimator/end_targets.h"
+#include "tether_monitor/monitor/forecast/forecast_start.h"
 #include "tether_monitor/monitor/measurements/measurements.h"
 #include "tether_monitor/monitor/measurements/motion_buffer.h"
 #include "tether_monitor/monitor/measurements/motion_plausibility.h"
@@ -100,6 +101,8 @@ class VehicleEnd
   virtual const MotionPlausibility* plausibility() const { return nullptr; }
   /// What only something far beyond its told size explains, as it is now. @param note  called for each.
   virtual void reportImprobable(const std::function<void(Subject, Implausibility)>& /*note*/) const {}
+  /// Fills in what a forecast begins with: members (none: that of the simulation), thrust, unknown force.
+  virtual void prepareForecast(ForecastStart& /*start*/) const {}
   /// True once after the vehicle was found elsewhere, and the tether is held there.
   virtual bool takeLeap() { return false; }
   /// The poses and rates that came, in order.

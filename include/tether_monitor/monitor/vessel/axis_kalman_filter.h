@@ -52,6 +52,13 @@ class AxisKalmanFilter
   /// Frequency [rad/s] and standard deviation [m] of the motion in the waves.
   double waveFrequency() const { return wave_frequency_; }
   double waveStddev() const { return wave_stddev_; }
+  /// Belief at time(): position, velocity and acceleration of the track, and the two oscillators, a position and a
+  /// velocity each; the motion in the waves is the second one.
+  const Vector& mean() const { return mean_; }
+  const Matrix& covariance() const { return covariance_; }
+  /// How the belief goes on over a short time dt [s], and the covariance of what comes on top.
+  Matrix transition(double dt) const;
+  Matrix noise(double dt) const;
 
   template <class Archive>
   void serialize(Archive& a)
@@ -63,8 +70,6 @@ class AxisKalmanFilter
 
  private:
   Eigen::Matrix<double, 1, STATES> accelerationRow() const;
-  Matrix transition(double dt) const;
-  Matrix noise(double dt) const;
   void adaptWaveModel(double dt);
   double normalized(const Eigen::Matrix<double, 1, STATES>& H, double value, double stddev) const;
   void correct(const Eigen::Matrix<double, 1, STATES>& H, double value, double stddev);

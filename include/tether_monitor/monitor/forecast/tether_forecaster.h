@@ -1,0 +1,52 @@
+#pragma once
+
+#include "tether_monitor/monitor/forecast/forecast_start.h"
+#include "tether_monitor/monitor/forecast/forecast_traces.h"
+
+namespace tether_monitor::monitor
+{
+/// What is done during a forecast, where it is not what is done now.
+struct ForecastActions
+{
+  MotionCommand vessel;
+  std::optional<double> payout_rate;   ///< [m/s]
+  std::optional<core::Wrench> thrust;  ///< on a simulated vehicle, body axes.
+};
+
+/**
+ * Runs the members of an estimate on: each with its own parameters, its own continuation of the vessel's motion
+ * and its own unknown force, (F1)-(F3) of doc/theory/forecast.md. Allocates; for a thread of its own. Never throws
+ * but for want of memory.
+ */
+class TetherForecaster
+{
+ public:
+  explicit TetherForecaster(const Config& config);
+
+  /// @param horizon  [s], > 0. @param members  wanted, >= 2; those of the start are used evenly, or several times.
+  /// @return         without members if more than a quarter of them could not be stepped.
+  TetherForecast run(const ForecastStart& start, double horizon, int members,
+                     const ForecastActions& actions = ForecastActions());
+
+  /**
+   * Largest speed of the vessel on its present way, or least pay-out rate, with which at most one member in twenty
+   * passes the limit; within `low` and `high` [m/s], by bisection. NaN if neither does, if
+   * nothing is limited, or if the vessel makes no way.
+   */
+  double largestVesselSpeed(const ForecastStart& start, double horizon, int members, double high);
+  double leastPayoutRate(const ForecastStart& start, double horizon, int members, double low, double high);
+
+ private:
+  void simulate(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
+  bool simulateMember(const ForecastStart& start, double horizon, int index, int members,
+                      const ForecastActions& actions, const EndMotionSampler& vessel,
+                      const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper);
+  double probability(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
+
+  ForecastLimits limits_;
+  core::RigidBody body_;
+  TetherEstimate estimate_;  // of one member at one time
+  ForecastTraces traces_;
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,222 @@
+#include "tether_monitor/monitor/forecast/tether_forecaster.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "tether_monitor/monitor/ensemble/ensemble_members.h"
+#include "tether_monitor/monitor/estimate/estimate_summary.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double STEP = 0.2;                 // [s] of the vessel's courses, and at most of the tether
+constexpr double INTERVAL = 0.5;             // [s] between the times of a forecast
+constexpr double WINCH_ACCELERATION = 0.25;  // with which a winch gets to a commanded rate [m/s^2]
+constexpr double LARGEST_LOST_SHARE = 0.25;  // of the members
+constexpr double TOLERATED = 0.05;           // probability of over-tension
+constexpr double SLOWEST_WAY = 0.1;          // speed below which a vessel has no way to go on [m/s]
+constexpr int BISECTIONS = 4;
+constexpr std::uint64_t SEED = 11, SEED_STEP = 1000003;
+
+core::Matrix3 squareRoot(const core::Matrix3& covariance)
+{
+  const Eigen::SelfAdjointEigenSolver<core::Matrix3> eigen(covariance);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+core::Vector3 normals(RandomNumbers& random)
+{
+  const double x = random.normal(), y = random.normal();
+  return {x, y, random.normal()};
+}
+
+core::EndMotion endOf(const core::NodeCoords& q, const core::NodeCoords& v, const core::Vector3& origin)
+{
+  return {q.head<3>() + origin, v.head<3>()};
+}
+
+// The unknown force on the vehicle of one member.
+class UnknownForceCourse
+{
+ public:
+  UnknownForceCourse(const ForecastStart& start, const ForecastMember& member, RandomNumbers& random)
+    : stddev_(start.unknown_force.fast_stddev), decay_(std::exp(-STEP / start.unknown_force.fast_memory))
+  {
+    slow_ = member.slow_force + squareRoot(start.slow_force_covariance) * normals(random);
+    fast_ = member.fast_force;
+  }
+  core::Vector3 advance(RandomNumbers& random)
+  {
+    fast_ = decay_ * fast_ + stddev_ * std::sqrt(1.0 - decay_ * decay_) * normals(random);
+    return slow_ + fast_;
+  }
+
+ private:
+  core::Vector3 slow_, fast_;
+  double stddev_, decay_;
+};
+
+// The winch: from its present rate to another; at the end of the tether it stops.
+core::PayoutTrajectory payOut(const core::CableModel& model, const core::CableState& state, double rate, double t)
+{
+  core::PayoutState from{model.length(state.deployment), 0.0, 0.0};
+  if (state.deployment.payout)
+    from.rate = state.deployment.payout->rate;
+  const double dt = t - state.time;
+  core::PayoutState to = from;
+  to.rate += std::clamp(rate - from.rate, -WINCH_ACCELERATION * dt, WINCH_ACCELERATION * dt);
+  to.length += 0.5 * dt * (from.rate + to.rate);
+  if (!model.canRepresentLength(to.length))
+    to = {from.length, 0.0, 0.0};
+  return core::PayoutTrajectory::between(state.time, from, t, to);
+}
+}  // namespace
+
+TetherForecaster::TetherForecaster(const Config& config) : limits_(config), body_(config.vehicle_body)
+{
+  body_.attachment = config.vehicle.attachment;
+}
+
+bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon, int index, int members,
+                                      const ForecastActions& actions, const EndMotionSampler& vessel,
+                                      const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper)
+{
+  const auto available = start.members.size();
+  const auto from = static_cast<std::size_t>(index) < available && static_cast<std::size_t>(members) < available
+                        ? index * available / members
+                        : index % available;
+  const ForecastMember& member = start.members[from];
+  const core::CableModel& model = *start.model;
+  const core::Vector3& origin = model.environment().origin();
+  core::CableState state = member.state;
+  core::DeployedCable cable(model, state.deployment);
+  RandomNumbers random(SEED + SEED_STEP * static_cast<std::uint64_t>(index));
+  EndMotionSampler::Course course = vessel.begin(random), other{};
+  if (vehicle)
+    other = vehicle->begin(random);
+  UnknownForceCourse unknown(start, member, random);
+  const double rate = actions.payout_rate.value_or(start.payout_rate);
+  const int steps = static_cast<int>(std::lround(horizon / STEP));
+  core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
+  core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
+  for (int k = 1; k <= steps; ++k)
+  {
+    const double t = start.t + STEP * k;
+    core::BoundaryConditions ends;
+    core::EndMotion next = vessel.advance(course, random);
+    next.position -= origin;
+    ends.vessel = core::EndTrajectory::between(state.time, at, t, next);
+    at = next;
+    if (vehicle)
+    {
+      next = vehicle->advance(other, random);
+      next.position -= origin;
+      ends.vehicle = core::EndTrajectory::between(state.time, held, t, next);
+      held = next;
+    }
+    ends.clamps = state.clamps;
+    ends.vehicle_thrust = actions.thrust.value_or(start.thrust);
+    ends.vehicle_force = unknown.advance(random);
+    if (start.attitude)
+      ends.vehicle_thrust.torque += torqueTowards(body_, *start.attitude, state.vehicle);
+    if (rate != 0.0 || (state.deployment.payout && state.deployment.payout->rate != 0.0))
+      ends.payout = payOut(model, state, rate, t);
+    if (!stepper.advance(model, ends, t, state).converged() || !state.allFinite())
+      return false;
+    cable.update(model, state.deployment);
+    core::computeStations(cable, state, estimate_.stations);
+    summarize(cable, estimate_);
+    traces_.add(index, STEP * k, estimate_, limits_);
+  }
+  return true;
+}
+
+void TetherForecaster::simulate(const ForecastStart& start, double horizon, int members,
+                                const ForecastActions& actions)
+{
+  traces_.begin(members, horizon, INTERVAL);
+  core::StepperOptions options = start.options;
+  options.step = std::max(options.step, STEP);
+  core::AdaptiveStepper stepper(*start.model, options);
+  estimate_.stations = core::StationProfile(start.model->elements());
+  const core::CableState& first = start.members.front().state;
+  const core::Vector3& origin = start.model->environment().origin();
+  const EndMotionSampler vessel(start.vessel, endOf(first.q.front(), first.v.front(), origin), STEP,
+                                actions.vessel);
+  std::optional<EndMotionSampler> vehicle;
+  if (start.vehicle)
+    vehicle.emplace(*start.vehicle, endOf(first.q.back(), first.v.back(), origin), STEP);
+  for (int i = 0; i < members; ++i)
+    if (!simulateMember(start, horizon, i, members, actions, vessel, vehicle ? &*vehicle : nullptr, stepper))
+      traces_.drop(i);
+}
+
+TetherForecast TetherForecaster::run(const ForecastStart& start, double horizon, int members,
+                                     const ForecastActions& actions)
+{
+  TetherForecast forecast;
+  forecast.t = start.t;
+  forecast.horizon = horizon;
+  simulate(start, horizon, members, actions);
+  if (traces_.alive() >= std::max(2.0, (1.0 - LARGEST_LOST_SHARE) * members))
+    traces_.summarize(forecast);
+  return forecast;
+}
+
+double TetherForecaster::probability(const ForecastStart& start, double horizon, int members,
+                                     const ForecastActions& actions)
+{
+  simulate(start, horizon, members, actions);
+  return traces_.alive() >= (1.0 - LARGEST_LOST_SHARE) * members ? traces_.probabilityOfOverTension() : 1.0;
+}
+
+double TetherForecaster::largestVesselSpeed(const ForecastStart& start, double horizon, int members, double high)
+{
+  core::Vector3 way(start.vessel.axis(0).mean()[1], start.vessel.axis(1).mean()[1], 0.0);
+  if (way.norm() < SLOWEST_WAY)
+    return TetherForecast::NONE;
+  way.normalize();
+  const auto isSafe = [&](double speed)
+  {
+    ForecastActions actions;
+    actions.vessel.velocity = speed * way;
+    return probability(start, horizon, members, actions) <= TOLERATED;
+  };
+  if (!limits_.limit || !isSafe(0.0))
+    return TetherForecast::NONE;
+  if (isSafe(high))
+    return high;
+  double safe = 0.0, unsafe = high;
+  for (int k = 0; k < BISECTIONS; ++k)
+  {
+    const double middle = 0.5 * (safe + unsafe);
+    (isSafe(middle) ? safe : unsafe) = middle;
+  }
+  return safe;
+}
+
+double TetherForecaster::leastPayoutRate(const ForecastStart& start, double horizon, int members, double low,
+                                         double high)
+{
+  const auto isSafe = [&](double rate)
+  {
+    ForecastActions actions;
+    actions.payout_rate = rate;
+    return probability(start, horizon, members, actions) <= TOLERATED;
+  };
+  if (!limits_.limit || !isSafe(high))
+    return TetherForecast::NONE;
+  if (isSafe(low))
+    return low;
+  double safe = high, unsafe = low;
+  for (int k = 0; k < BISECTIONS; ++k)
+  {
+    const double middle = 0.5 * (safe + unsafe);
+    (isSafe(middle) ? safe : unsafe) = middle;
+  }
+  return safe;
+}
+
+}  // namespace tether_monitor::monitor

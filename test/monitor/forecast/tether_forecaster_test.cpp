@@ -1,0 +1,117 @@
+#include "tether_monitor/monitor/forecast/tether_forecaster.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/navigation_fixture.h"
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+constexpr double HORIZON = 30.0;
+
+// The vehicle drives off under a vessel at rest: in less than half a minute the tether is taut.
+EstimatorFixture drivingOff()
+{
+  EstimatorFixture fixture(coarseConfig());
+  fixture.vehicle = {45.0, 0.0, -55.0};
+  fixture.vehicle_velocity = {0.6, 0.0, -0.3};
+  fixture.run(30.0);
+  return fixture;
+}
+
+// Time until the estimate passes the limit; infinite if it does not within a minute.
+double timeToLimit(EstimatorFixture fixture)
+{
+  const double begin = fixture.t;
+  while (fixture.t < begin + 60.0)
+    if (fixture.run(0.05).working_utilisation > 1.0)
+      return fixture.t - begin;
+  return std::numeric_limits<double>::infinity();
+}
+}  // namespace
+
+TEST(TetherForecaster, NothingIsForecastOfNothing)
+{
+  EXPECT_FALSE(TetherEstimator(testConfig()).forecastStart());
+}
+
+TEST(TetherForecaster, WhatRestsWillRest)
+{
+  EstimatorFixture fixture(coarseConfig());
+  const TetherEstimate e = fixture.run(20.0);
+  const TetherForecast f = TetherForecaster(coarseConfig()).run(*fixture.estimator.forecastStart(), HORIZON, 16);
+  EXPECT_EQ(f.members, 16);
+  EXPECT_DOUBLE_EQ(f.t, e.time);
+  ASSERT_EQ(f.time.size(), 60u);
+  EXPECT_DOUBLE_EQ(f.time.back(), HORIZON);
+  EXPECT_EQ(f.probability_over_tension, 0.0);
+  EXPECT_EQ(f.probability_breaking, 0.0);
+  EXPECT_TRUE(std::isnan(f.time_to_limit));
+  EXPECT_NEAR(f.vessel_tension.front(), e.vessel_tension, 0.05 * e.vessel_tension);
+}
+
+// Against what comes: the fixture runs on with the real motion.
+TEST(TetherForecaster, KnowsWhenATetherGetsTaut)
+{
+  EstimatorFixture fixture = drivingOff();
+  ASSERT_LT(fixture.estimator.estimate().working_utilisation, 0.5) << "precondition: not yet";
+  const TetherForecast f = TetherForecaster(coarseConfig()).run(*fixture.estimator.forecastStart(), HORIZON, 64);
+  const double real = timeToLimit(fixture);
+  ASSERT_LT(real, HORIZON - 5.0) << "precondition";
+  ASSERT_GT(real, 5.0) << "precondition";
+  EXPECT_GT(f.probability_over_tension, 0.9);
+  EXPECT_NEAR(f.time_to_limit, real, 2.0);
+  EXPECT_LE(f.time_to_limit_p05, f.time_to_limit);
+  EXPECT_LE(f.time_to_warning, f.time_to_limit);
+  EXPECT_GT(f.max_tension_p95.back(), f.max_tension_p05.back());
+}
+
+// What is paid out prevents it, and the least rate is between nothing and that.
+TEST(TetherForecaster, PayingOutHelps)
+{
+  const EstimatorFixture fixture = drivingOff();
+  const ForecastStart start = *fixture.estimator.forecastStart();
+  TetherForecaster forecaster(coarseConfig());
+  ForecastActions pay_out;
+  pay_out.payout_rate = 1.0;
+  EXPECT_LT(forecaster.run(start, HORIZON, 32, pay_out).probability_over_tension, 0.05);
+  const double least = forecaster.leastPayoutRate(start, HORIZON, 32, 0.0, 1.0);
+  EXPECT_GT(least, 0.1);
+  EXPECT_LT(least, 1.0);
+  pay_out.payout_rate = 0.7 * least;
+  EXPECT_GT(forecaster.run(start, HORIZON, 32, pay_out).probability_over_tension, 0.05);
+}
+
+TEST(TetherForecaster, AVesselAtRestHasNoSpeedToRecommend)
+{
+  const EstimatorFixture fixture = drivingOff();
+  EXPECT_TRUE(std::isnan(
+      TetherForecaster(coarseConfig()).largestVesselSpeed(*fixture.estimator.forecastStart(), HORIZON, 8, 2.0)));
+}
+
+// The members of the ensemble go on, each as it is: at first they are as far apart as the estimate says.
+TEST(TetherForecaster, MembersOfAnEnsembleGoOn)
+{
+  NavigationFixture fixture;
+  const TetherEstimate e = fixture.run(60.0);
+  ASSERT_TRUE(e.has_stations) << describe(e.reason);
+  const ForecastStart start = *fixture.estimator.forecastStart();
+  EXPECT_EQ(start.members.size(), 64u);
+  const TetherForecast f = TetherForecaster(observedConfig()).run(start, HORIZON, 64);
+  EXPECT_EQ(f.members, 64);
+  EXPECT_NEAR(f.vessel_tension.front(), e.vessel_tension, 2.0 * e.vessel_tension_stddev);
+  EXPECT_GT(f.max_tension_p95.front() - f.max_tension_p05.front(), e.vessel_tension_stddev);
+}
+
+TEST(TetherForecaster, TheSameStartGivesTheSameForecast)
+{
+  const EstimatorFixture fixture = drivingOff();
+  const ForecastStart start = *fixture.estimator.forecastStart();
+  TetherForecaster a(coarseConfig()), b(coarseConfig());
+  b.run(start, 5.0, 4);
+  EXPECT_EQ(a.run(start, HORIZON, 16).max_tension_p95, b.run(start, HORIZON, 16).max_tension_p95);
+}
+}  // namespace tether_monitor::monitor
