@@ -13,7 +13,8 @@ find_package(catkin REQUIRED COMPONENTS
 
 add_message_files(FILES
   Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg
-  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherState.msg)
+  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherForecast.msg TetherState.msg)
+add_service_files(FILES WhatIf.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 
 catkin_package(
@@ -30,6 +31,8 @@ add_library(tether_monitor_ros STATIC
   src/ros/bag_replay.cpp
   src/ros/crash_guard.cpp
   src/ros/diagnostics.cpp
+  src/ros/forecast_publisher.cpp
+  src/ros/forecast_thread.cpp
   src/ros/geometry_conversions.cpp
   src/ros/input_adapter.cpp
   src/ros/input_statistics.cpp

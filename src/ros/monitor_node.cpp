@@ -34,7 +34,8 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     private_nh_(private_nh),
     estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
     adapter_(estimator_, transforms_),
-    updater_(nh, private_nh, private_nh.getNamespace())
+    updater_(nh, private_nh, private_nh.getNamespace()),
+    forecast_(private_nh, estimator_.config())
 {
   estimator_.setBackgroundStart(true);
   const monitor::Config& config = estimator_.config();
@@ -227,6 +228,7 @@ void MonitorNode::step(const ros::Time& now)
     ROS_INFO("%s%s%s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : ": ",
              e.reason == monitor::Reason::NONE ? "" : advice(e.reason));
   publish(now, step_time);
+  forecast_.offer(estimator_, time_);
 }
 
 void MonitorNode::publish(const ros::Time& stamp, double step_time)

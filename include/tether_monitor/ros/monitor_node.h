@@ -12,6 +12,7 @@
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/diagnostics.h"
+#include "tether_monitor/ros/forecast_publisher.h"
 #include "tether_monitor/ros/input_adapter.h"
 #include "tether_monitor/ros/input_topics.h"
 #include "tether_monitor/ros/master_watch.h"
@@ -23,7 +24,7 @@ namespace tether_monitor
  *
  * **Subscribes** (relative): inputTopics(). **Publishes** (private): state,
  * vessel_end/force, vehicle_end/force, over_tension, alarms, vehicle/estimate, contacts, markers; /diagnostics.
- * **Services** (private): reset, acknowledge.
+ * Forecasts: ForecastPublisher. **Services** (private): reset, acknowledge.
  */
 class MonitorNode
 {
@@ -84,6 +85,7 @@ class MonitorNode
   ros::WallTimer diagnostics_timer_;
   ros::WallTime last_vibration_, last_reset_;
   bool had_contact_ = false;
+  ForecastPublisher forecast_;
 };
 
 }  // namespace tether_monitor

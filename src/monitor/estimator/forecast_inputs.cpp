@@ -1,5 +1,7 @@
 #include "tether_monitor/monitor/estimator/forecast_inputs.h"
 
+#include <cmath>
+
 namespace tether_monitor::monitor
 {
 namespace
@@ -31,7 +33,8 @@ ForecastStart ForecastInputs::start(const CableSimulation& simulation, const Veh
   start.t = simulation.state.time;
   start.model = simulation.model;
   start.options = simulation.stepper.options();
-  start.payout_rate = payout_rate;
+  start.has_winch = std::isfinite(payout_rate);
+  start.payout_rate = start.has_winch ? payout_rate : 0.0;
   start.vessel = vessel_;
   if (!vehicle.takesThrust())
     start.vehicle = vehicle_;

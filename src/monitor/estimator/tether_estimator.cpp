@@ -64,8 +64,7 @@ std::optional<ForecastStart> TetherEstimator::forecastStart() const
 {
   if (!isRunning() || !estimate().has_stations || !forecast_inputs_.isReady())
     return std::nullopt;
-  const double rate = std::isfinite(estimate().payout_rate) ? estimate().payout_rate : 0.0;
-  return forecast_inputs_.start(simulation(), vehicle(), rate);
+  return forecast_inputs_.start(simulation(), vehicle(), estimate().payout_rate);
 }
 
 std::vector<std::uint8_t> TetherEstimator::save() const

@@ -19,6 +19,9 @@ constexpr double MOST_ACCELERATION = 0.3;           // [m/s^2]
 constexpr double USUAL_ACCELERATION = 0.003;        // before anything is known [m/s^2]
 constexpr double USUAL_FOR = 30.0, MEMORY = 120.0;  // [s] that this counts for, and of what has been
 constexpr double FILTERS_ACCELERATION = 0.015;      // that the filters take an end to have [m/s^2]
+constexpr double WAVE_MEMORY = 60.0;                // [s]
+constexpr double SETTLING = 15.0;                   // [s] in which the filters find track and waves
+constexpr double SHORTEST_WATCH = 10.0;             // [s] before which nothing is predicted
 constexpr int POSITION = 0, VELOCITY = 1, ACCELERATION = 2, WAVE = 5, WAVE_VELOCITY = 6;
 
 AxisKalmanFilter::Matrix squareRoot(const AxisKalmanFilter::Matrix& covariance)
@@ -56,14 +59,28 @@ core::EndMotion motionOf(const EndMotionSampler::Course& course)
 
 void EndMotionPredictor::observe(double t, const core::EndMotion& end)
 {
-  if (isReady() && (t < time() || t - time() > VesselAxisFilters::LONGEST_GAP))
+  if (isStarted() && (t < time() || t - time() > VesselAxisFilters::LONGEST_GAP))
     clear();
-  if (isReady() && t - time() < OBSERVATION_STEP - 1e-6)
+  if (isStarted() && t - time() < OBSERVATION_STEP - 1e-6)
     return;
-  const double dt = isReady() ? t - time() : 0.0;
+  if (!isStarted())
+    return start(t, end);
+  const double dt = t - time();
   filters_.apply({t, false, end.position, core::Vector3::Constant(POSITION_STDDEV)});
   filters_.apply({t, true, end.velocity, core::Vector3::Constant(VELOCITY_STDDEV)});
+  observed_for_ = std::min(observed_for_ + dt, MEMORY);
+  const double share = dt / std::min(observed_for_, WAVE_MEMORY);
+  velocity_mean_ += share * (end.velocity - velocity_mean_);
+  velocity_square_ += share * ((end.velocity - velocity_mean_).cwiseAbs2() - velocity_square_);
   learnAcceleration(dt);
+}
+
+void EndMotionPredictor::start(double t, const core::EndMotion& end)
+{
+  for (int i = 0; i < 3; ++i)
+    filters_.axes[i].start(t, end.position[i], POSITION_STDDEV, end.velocity[i], VELOCITY_STDDEV);
+  velocity_mean_ = end.velocity;
+  horizontal_square_ = vertical_square_ = USUAL_ACCELERATION * USUAL_ACCELERATION;
 }
 
 // Along the way, for what is across it is a turn.
@@ -74,10 +91,9 @@ void EndMotionPredictor::learnAcceleration(double dt)
   const core::Vector3 v = of(VELOCITY), a = of(ACCELERATION);
   const double speed = v.head<2>().norm();
   const double along = speed > SLOWEST_TURN ? v.head<2>().dot(a.head<2>()) / speed : a.head<2>().norm() / M_SQRT2;
-  observed_for_ = std::min(observed_for_ + dt, MEMORY);
+  if (observed_for_ < SETTLING)
+    return;
   const double share = dt / (USUAL_FOR + observed_for_);
-  if (dt == 0.0)
-    horizontal_square_ = vertical_square_ = USUAL_ACCELERATION * USUAL_ACCELERATION;
   horizontal_square_ += share * (along * along - horizontal_square_);
   vertical_square_ += share * (a.z() * a.z() - vertical_square_);
 }
@@ -89,11 +105,23 @@ double EndMotionPredictor::accelerationStddev(int axis) const
   return std::sqrt(axis == 2 ? vertical_square_ : horizontal_square_);
 }
 
+// The filters begin with waves of a usual height, whether there are any or not.
+double EndMotionPredictor::waveShare(int i) const
+{
+  return std::min(std::sqrt(velocity_square_[i]) / (axis(i).waveFrequency() * axis(i).waveStddev()), 1.0);
+}
+
+bool EndMotionPredictor::isReady() const
+{
+  return isStarted() && observed_for_ >= SHORTEST_WATCH;
+}
+
 bool EndMotionPredictor::isValid() const
 {
-  return std::isfinite(horizontal_square_ + vertical_square_ + observed_for_) &&
-         (!isReady() || std::all_of(filters_.axes.begin(), filters_.axes.end(),
-                                    [](const AxisKalmanFilter& filter) { return filter.isValid(); }));
+  return std::isfinite(horizontal_square_ + vertical_square_ + observed_for_) && velocity_square_.allFinite() &&
+         velocity_mean_.allFinite() &&
+         (!isStarted() || std::all_of(filters_.axes.begin(), filters_.axes.end(),
+                                      [](const AxisKalmanFilter& filter) { return filter.isValid(); }));
 }
 
 EndMotionSampler::EndMotionSampler(const EndMotionPredictor& predictor, const core::EndMotion& now, double step,
@@ -104,10 +132,13 @@ EndMotionSampler::EndMotionSampler(const EndMotionPredictor& predictor, const co
   {
     liveliness_[i] = std::min(predictor.accelerationStddev(i) / FILTERS_ACCELERATION, 1.0);
     transition_[i] = predictor.axis(i).transition(step);
+    const double wave_share = predictor.waveShare(i);
     Matrix noise = predictor.axis(i).noise(step);
     noise.topLeftCorner<3, 3>() *= liveliness_[i] * liveliness_[i];
+    noise.bottomRightCorner<4, 4>() *= wave_share * wave_share;
     noise_[i] = squareRoot(noise);
     spread_[i] = squareRoot(predictor.axis(i).covariance());
+    spread_[i].bottomRows<4>() *= wave_share;
   }
 }
 

@@ -12,7 +12,7 @@ class ForecastInputs
   /// The simulation has come to a new time.
   void observe(const CableSimulation& simulation, const VehicleEnd& vehicle);
   void clear();
-  /// Of a tether that has been observed. Allocates.
+  /// Of a tether that has been observed. @param payout_rate  reported [m/s]; NaN: none is. Allocates.
   ForecastStart start(const CableSimulation& simulation, const VehicleEnd& vehicle, double payout_rate) const;
   bool isReady() const { return vessel_.isReady(); }
   bool isValid() const { return vessel_.isValid() && vehicle_.isValid(); }

@@ -23,28 +23,33 @@ class EndMotionPredictor
   /// The end at time t [s], world. A time that is not later, or later by a minute, begins anew.
   void observe(double t, const core::EndMotion& end);
   void clear() { *this = EndMotionPredictor(floats_); }
-  /// True once it has been observed.
-  bool isReady() const { return filters_.axes[0].isStarted(); }
+  /// True once it has been observed for ten seconds.
+  bool isReady() const;
   bool isValid() const;
   double time() const { return filters_.axes[0].time(); }
   const AxisKalmanFilter& axis(int i) const { return filters_.axes[i]; }
   bool floats() const { return floats_; }
   /// Standard deviation of the low-frequency acceleration, across and up, as it has been [m/s^2].
   double accelerationStddev(int axis) const;
+  /// How much there has been of the waves that the filter of an axis takes to be there [-], 0..1.
+  double waveShare(int axis) const;
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(filters_, horizontal_square_, vertical_square_, observed_for_);
+    a(filters_, horizontal_square_, vertical_square_, velocity_mean_, velocity_square_, observed_for_);
   }
 
  private:
+  bool isStarted() const { return filters_.axes[0].isStarted(); }
+  void start(double t, const core::EndMotion& end);
   void learnAcceleration(double dt);
 
   bool floats_;
   VesselAxisFilters filters_;
   double horizontal_square_ = 0.0, vertical_square_ = 0.0;  // means of squared accelerations [m^2/s^4]
-  double observed_for_ = 0.0;                               // [s]
+  core::Vector3 velocity_mean_ = core::Vector3::Zero(), velocity_square_ = core::Vector3::Zero();  // of a minute
+  double observed_for_ = 0.0;                                                                      // [s]
 };
 
 /// What a helmsman is to do instead of going on as now.

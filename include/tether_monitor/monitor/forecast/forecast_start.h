@@ -30,6 +30,7 @@ struct ForecastStart
   std::optional<Eigen::Quaterniond> attitude;                   ///< that the vehicle is held in.
   EndMotionPredictor vessel;
   std::optional<EndMotionPredictor> vehicle;  ///< of a vehicle whose end is moved.
+  bool has_winch = false;                     ///< something reports the deployed length.
   double payout_rate = 0.0;                   ///< [m/s]
 };
 

@@ -1,0 +1,191 @@
+#include "tether_monitor/ros/forecast_thread.h"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+namespace tether_monitor
+{
+namespace
+{
+constexpr double MOST_SHARE = 0.5;     // of the interval that a forecast may take
+constexpr double LITTLE_SHARE = 0.25;  // below it there may be more again
+constexpr int FEWEST_MEMBERS = 16;
+constexpr int RECOMMENDING_MEMBERS = 24;
+constexpr double LONGEST_INTERVAL = 10.0;  // [s]
+constexpr double GROWTH = 1.25;
+constexpr double FASTER = 1.5, FASTER_BY = 0.5;          // than now: the largest speed that is tried [-, m/s]
+constexpr double LEAST_RATE = -1.0, LARGEST_RATE = 2.0;  // of the winch that are tried [m/s]
+constexpr int LOW_PRIORITY = 10;                         // nice
+
+double secondsOf(const timespec& t)
+{
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double threadTime()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return secondsOf(t);
+}
+
+double wallTime()
+{
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return secondsOf(t);
+}
+}  // namespace
+
+ForecastBudget::ForecastBudget(const monitor::ForecastConfig& config)
+  : config_(config), members_(config.members), interval_(config.rate > 0.0 ? 1.0 / config.rate : 1e300)
+{
+}
+
+bool ForecastBudget::isShort() const
+{
+  return config_.rate > 0.0 && (members_ < config_.members || interval_ > 1.0 / config_.rate * (1.0 + 1e-9));
+}
+
+void ForecastBudget::note(double took)
+{
+  const double share = took / interval_;
+  const int fewest = std::min(FEWEST_MEMBERS, config_.members);
+  if (share > MOST_SHARE)
+  {
+    if (members_ > fewest)
+      members_ = std::max(fewest, static_cast<int>(members_ * MOST_SHARE / share));
+    else
+      interval_ = std::min(interval_ * GROWTH, LONGEST_INTERVAL);
+    return;
+  }
+  if (share > LITTLE_SHARE)
+    return;
+  if (interval_ > 1.0 / config_.rate)
+    interval_ = std::max(interval_ / GROWTH, 1.0 / config_.rate);
+  else
+    members_ = std::min(static_cast<int>(std::ceil(members_ * GROWTH)), config_.members);
+}
+
+ForecastThread::ForecastThread(const monitor::Config& config, Ready ready)
+  : config_(config),
+    ready_(std::move(ready)),
+    forecaster_(config),
+    budget_(config.forecast),
+    speed_(monitor::TetherForecast::NONE),
+    payout_rate_(monitor::TetherForecast::NONE),
+    thread_([this] { run(); })
+{
+}
+
+ForecastThread::~ForecastThread()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_over_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+bool ForecastThread::isDue(double t) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !is_busy_ && config_.forecast.rate > 0.0 && (t >= last_ + budget_.interval() - 1e-6 || t < last_);
+}
+
+void ForecastThread::submit(Start start)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_busy_)
+      return;
+    is_busy_ = true;
+    last_ = start->t;
+    waiting_ = std::move(start);
+  }
+  wake_.notify_all();
+}
+
+ForecastBudget ForecastThread::budget() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return budget_;
+}
+
+void ForecastThread::run()
+{
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), LOW_PRIORITY);
+  while (true)
+  {
+    Start start;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      wake_.wait(lock, [this] { return waiting_ || is_over_; });
+      if (is_over_)
+        return;
+      start = std::move(waiting_);
+      waiting_.reset();
+    }
+    const double began = wallTime();
+    forecast(*start);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    budget_.note(wallTime() - began);
+    is_busy_ = false;
+  }
+}
+
+void ForecastThread::forecast(const monitor::ForecastStart& start)
+{
+  const int members = budget().members();
+  const double began = threadTime();
+  monitor::TetherForecast forecast;
+  try
+  {
+    forecast = forecaster_.run(start, config_.forecast.horizon, members);
+    recommend(start, std::min(members, RECOMMENDING_MEMBERS));
+  }
+  catch (const std::exception&)
+  {
+    forecast = monitor::TetherForecast();  // out of memory: none
+    forecast.t = start.t;
+  }
+  if (forecast.members > 0)
+  {
+    forecast.recommended_vessel_speed = speed_;
+    forecast.recommended_payout_rate = payout_rate_;
+  }
+  forecast.computing_time = threadTime() - began;
+  ready_(forecast);
+}
+
+void ForecastThread::recommend(const monitor::ForecastStart& start, int members)
+{
+  const double horizon = config_.forecast.horizon;
+  if (recommends_speed_)
+    speed_ = forecaster_.largestVesselSpeed(
+        start, horizon, members,
+        FASTER_BY + FASTER * std::hypot(start.vessel.axis(0).mean()[1], start.vessel.axis(1).mean()[1]));
+  else
+    payout_rate_ = start.has_winch ? forecaster_.leastPayoutRate(start, horizon, members, LEAST_RATE, LARGEST_RATE)
+                                   : monitor::TetherForecast::NONE;
+  recommends_speed_ = !recommends_speed_;
+}
+
+monitor::TetherForecast ForecastThread::whatIf(const Start& start, double horizon,
+                                               const monitor::ForecastActions& actions) const
+{
+  const double began = threadTime();
+  monitor::TetherForecaster forecaster(config_);
+  monitor::TetherForecast forecast = forecaster.run(*start, horizon, budget().members(), actions);
+  forecast.computing_time = threadTime() - began;
+  return forecast;
+}
+
+}  // namespace tether_monitor
