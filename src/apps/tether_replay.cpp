@@ -23,6 +23,7 @@ struct Arguments
   double rate = 0.0;
   double shape_rate = 1.0;
   bool quiet = false;
+  bool forecast = false;
 };
 
 volatile std::sig_atomic_t is_interrupted = 0;
@@ -71,6 +72,8 @@ void replayCsv(const Arguments& arguments, const tether_monitor::replay::ReplayO
   if (are_measurements)
     measurements.emplace(table);
   replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
+  if (arguments.forecast)
+    recorder.addForecasts(estimator.config());
   if (measurements)
     replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
   else
@@ -104,6 +107,8 @@ void replay(const Arguments& arguments)
   else
   {
     replay::ResultRecorder recorder(arguments.out, arguments.shape_rate, columns);
+    if (arguments.forecast)
+      recorder.addForecasts(estimator.config());
     for (const std::string& warning : replayBag(arguments.bag, arguments.ns, options, estimator, recorder))
       std::cerr << "warning: " << apps::printable(warning) << "\n";
     recorder.finish(estimator, is_interrupted != 0);
@@ -132,8 +137,10 @@ int main(int argc, char** argv)
       "part-at", options::value(&parting),
       "T,S: the tether parts at time T [s], S metres from the vessel; with --motion, modes tracked and free")(
       "shape-rate", options::value(&a.shape_rate)->default_value(a.shape_rate),
-      "shapes in shape.csv per second, 0 for none")("quiet", options::bool_switch(&a.quiet),
-                                                    "no progress bar and no closing line");
+      "shapes in shape.csv per second, 0 for none")(
+      "forecast", options::bool_switch(&a.forecast),
+      "also forecast as the node does, into forecast.csv, and score that against what came, in summary.json")(
+      "quiet", options::bool_switch(&a.quiet), "no progress bar and no closing line");
   return tether_monitor::apps::runProgram("tether_replay", line, argc, argv,
                                           [&]
                                           {

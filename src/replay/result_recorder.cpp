@@ -1,25 +1,18 @@
 #include "tether_monitor/replay/result_recorder.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tether_monitor/replay/cpu_clock.h"
+
 namespace tether_monitor::replay
 {
 namespace
 {
 constexpr double PARAMETER_PERIOD = 1.0;  // [s]
-
-double cpuClock()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return now.tv_sec + 1e-9 * now.tv_nsec;
-}
 
 std::string prepared(const std::string& folder)
 {
@@ -40,6 +33,11 @@ ResultRecorder::ResultRecorder(const std::string& folder, double shape_rate, Veh
     shape_ = std::make_unique<ShapeFile>(folder);
   if (vehicle == VehicleColumns::OBSERVED)
     parameters_ = std::make_unique<ParametersFile>(folder);
+}
+
+void ResultRecorder::addForecasts(const monitor::Config& config)
+{
+  forecasts_ = std::make_unique<ForecastRecorder>(folder_, config);
 }
 
 void ResultRecorder::startTimer()
@@ -67,6 +65,8 @@ void ResultRecorder::accumulate(const monitor::TetherEstimator& estimator)
     max_tension_s_ = e.max_tension_s;
   }
   alarms_.write(e.time, estimator.alarms());
+  if (forecasts_)
+    forecasts_->observe(estimator);
 }
 
 void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
@@ -117,6 +117,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
   summary["reason"] = nlohmann::json::object();
   for (const auto& [reason, count] : reason_count_)
     summary["reason"][reason] = count;
+  if (forecasts_)
+    summary["forecast"] = forecasts_->score();
   std::ofstream out(folder_ + "/summary.json");
   out << summary.dump(2) << "\n";
   out.close();
@@ -130,6 +132,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
     contacts_->close();
   if (parameters_)
     parameters_->close();
+  if (forecasts_)
+    forecasts_->close();
 }
 
 }  // namespace tether_monitor::replay

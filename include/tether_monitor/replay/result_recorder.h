@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tether_monitor/files/folder_lock.h"
+#include "tether_monitor/replay/forecast_recorder.h"
 #include "tether_monitor/replay/result_files.h"
 
 namespace tether_monitor::replay
@@ -21,6 +22,9 @@ class ResultRecorder
    * @throws std::runtime_error naming what cannot be written.
    */
   ResultRecorder(const std::string& folder, double shape_rate, VehicleColumns vehicle = VehicleColumns::NONE);
+
+  /// Makes forecasts from now on, and scores them.
+  void addForecasts(const monitor::Config& config);
 
   /// Starts and stops the clock around one call of the estimator.
   void startTimer();
@@ -40,6 +44,7 @@ class ResultRecorder
   AlarmsFile alarms_;
   std::unique_ptr<ShapeFile> shape_;
   std::unique_ptr<ParametersFile> parameters_;
+  std::unique_ptr<ForecastRecorder> forecasts_;
   double next_parameters_ = -std::numeric_limits<double>::infinity();
   std::unique_ptr<ContactsFile> contacts_;  // from the first estimate with obstacles on
   double next_shape_ = -std::numeric_limits<double>::infinity();

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tether_monitor/monitor/forecast/tether_forecast.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * How good forecasts of over-tension were, against what came: (F4) of doc/theory/forecast.md.
+ *
+ * A forecast counts if the tether is not past the limit when it is made and if what came is known to the end of
+ * its horizon. An event begins when the limit is passed after at least ten seconds below it.
+ */
+class ForecastScore
+{
+ public:
+  /// One class of forecast probabilities.
+  struct Reliability
+  {
+    double least = 0.0, most = 0.0;  ///< probabilities of the class.
+    long forecasts = 0;
+    double mean_probability = 0.0;  ///< of these [-].
+    double observed = 0.0;          ///< share of them that came true [-].
+  };
+  struct Result
+  {
+    std::vector<Reliability> reliability;
+    double brier_score = 0.0;  ///< mean square of probability less outcome; 0 is perfect.
+    long events = 0;
+    long warned = 0;  ///< events with a probability of at least one half, ten seconds or more ahead.
+    double median_lead_time = TetherForecast::NONE;  ///< from the first such forecast to the event [s].
+    long warnings = 0;                               ///< spells of such forecasts.
+    long false_warnings = 0;                         ///< of these, without an event within a horizon of their end.
+  };
+
+  /// Whether the tether is past the limit at time t [s]; in order of time.
+  void observe(double t, bool is_over);
+  /// A forecast made at the time of the last observation; those without members do not count.
+  void add(const TetherForecast& forecast);
+  /// Takes in the sums of another record.
+  void add(const ForecastScore& other);
+  Result result() const;
+
+ private:
+  struct Made
+  {
+    double t, horizon, probability;
+    bool was_over;
+  };
+
+  struct Sums
+  {
+    std::array<long, 7> forecasts{}, came_true{};
+    std::array<double, 7> probability{};
+    double square = 0.0;
+    long events = 0, warned = 0, warnings = 0, false_warnings = 0;
+    std::vector<double> lead;
+  };
+  Sums evaluate() const;
+
+  std::vector<Made> made_;
+  std::vector<double> onsets_;      // of events [s]
+  std::vector<double> over_times_;  // at which the tether was past the limit [s]
+  double now_ = 0.0, last_over_ = -1e300;
+  bool is_over_ = false;
+  std::vector<Sums> others_;
+};
+
+}  // namespace tether_monitor::monitor

@@ -1,0 +1,65 @@
+#include "tether_monitor/monitor/forecast/forecast_score.h"
+
+#include <gtest/gtest.h>
+
+namespace tether_monitor::monitor
+{
+namespace
+{
+// An hour in which the tether is past its limit for a second at every multiple of 100 s; once a second a forecast.
+template <class Probability>
+ForecastScore record(const Probability& probability)
+{
+  ForecastScore score;
+  for (int t = 1; t <= 3600; ++t)
+  {
+    score.observe(t, t % 100 == 0);
+    TetherForecast forecast;
+    forecast.t = t;
+    forecast.horizon = 30.0;
+    forecast.members = 96;
+    forecast.probability_over_tension = probability(t);
+    score.add(forecast);
+  }
+  return score;
+}
+}  // namespace
+
+TEST(ForecastScore, OneThatKnowsIsPerfect)
+{
+  const ForecastScore::Result r = record([](int t) { return t % 100 >= 70 ? 1.0 : 0.0; }).result();
+  EXPECT_EQ(r.events, 36);
+  EXPECT_EQ(r.warned, 36);
+  EXPECT_EQ(r.false_warnings, 0);
+  EXPECT_DOUBLE_EQ(r.brier_score, 0.0);
+  EXPECT_DOUBLE_EQ(r.median_lead_time, 30.0);
+  EXPECT_DOUBLE_EQ(r.reliability.front().observed, 0.0);
+  EXPECT_DOUBLE_EQ(r.reliability.back().observed, 1.0);
+}
+
+TEST(ForecastScore, OneThatIsLateOrCriesWolf)
+{
+  const ForecastScore::Result late = record([](int t) { return t % 100 >= 95 ? 1.0 : 0.0; }).result();
+  EXPECT_EQ(late.warned, 0);
+  EXPECT_DOUBLE_EQ(late.median_lead_time, 5.0);
+  EXPECT_NEAR(late.reliability.front().observed, 25.0 / 94.0, 0.01);
+  const ForecastScore::Result wolf =
+      record([](int t) { return t % 100 >= 20 && t % 100 < 30 ? 1.0 : 0.0; }).result();
+  EXPECT_EQ(wolf.warnings, 36);
+  EXPECT_EQ(wolf.false_warnings, 36);
+  EXPECT_EQ(wolf.warned, 0);
+}
+
+TEST(ForecastScore, AnHonestDoubtIsReliable)
+{
+  const ForecastScore score = record([](int) { return 0.3; });
+  const ForecastScore::Result r = score.result();
+  EXPECT_NEAR(r.reliability[2].observed, 30.0 / 99.0, 0.01);
+  EXPECT_NEAR(r.reliability[2].mean_probability, 0.3, 1e-12);
+  ForecastScore both;
+  both.add(score);
+  both.add(score);
+  EXPECT_EQ(both.result().events, 2 * r.events);
+  EXPECT_NEAR(both.result().brier_score, r.brier_score, 1e-12);
+}
+}  // namespace tether_monitor::monitor
