@@ -23,6 +23,7 @@ constexpr double TRUE_STEP = 0.05;  // [s]
 // Keeps a vehicle at a place or on its way, softly; the thrust has a memory of what it takes.
 struct ThrustController
 {
+  double most = 1e9;  // [N]
   Vector3 integral = Vector3::Zero();
 
   Vector3 steer(const core::RigidBody& body, const EndMotion& wanted, const EndMotion& now, double dt)
@@ -30,8 +31,13 @@ struct ThrustController
     constexpr double W = 0.4;
     const double mass = body.mass + body.added_mass.mean();
     const Vector3 off = wanted.position - now.position;
+    const Vector3 before = integral;
     integral += mass * 0.15 * W * W * W * dt * off;
-    return mass * (W * W * off + 1.6 * W * (wanted.velocity - now.velocity)) + integral;
+    const Vector3 thrust = mass * (W * W * off + 1.6 * W * (wanted.velocity - now.velocity)) + integral;
+    if (thrust.norm() <= most)
+      return thrust;
+    integral = before;
+    return most * thrust.normalized();
   }
 };
 
@@ -39,6 +45,13 @@ struct ThrustController
 EndMotion wayOf(const UncertainCase& c, double t)
 {
   const Vector3& station = c.of.start.vehicle;
+  if (!c.run_off.isZero())
+  {
+    constexpr double GENTLY = 6.0;
+    const double since = std::max(t - c.changes_at, 0.0), share = std::min(since / GENTLY, 1.0);
+    return {station + (since < GENTLY ? 0.5 * share * since : since - 0.5 * GENTLY) * c.run_off,
+            share * c.run_off};
+  }
   if (c.manoeuvre <= 0.0)
     return {station, Vector3::Zero()};
   constexpr double RADIUS = 12.0, GENTLE = 30.0;
@@ -120,6 +133,14 @@ std::vector<UncertainCase> uncertainCases()
   return cases;
 }
 
+UncertainCase uncertainCase(const std::string& name)
+{
+  for (const UncertainCase& c : uncertainCases())
+    if (c.of.name == name)
+      return c;
+  throw std::out_of_range("no case " + name);
+}
+
 std::vector<UncertainCase> changingCurrents()
 {
   std::vector<UncertainCase> cases;
@@ -176,6 +197,7 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
   core::CableState state(0.0, shape, c.start.velocity, start.deployment);
   core::initializeContact(model, state);
   ThrustController pilot;
+  pilot.most = uncertain.most_thrust;
   if (!uncertain.is_towed)
   {
     const core::RigidBodyMotion motion = core::rigidBodyMotion(state, state.q.size() - 1, core::AttitudeState());

@@ -21,6 +21,8 @@ struct UncertainCase
   int true_elements = 50;
   core::Vector3 current_change = core::Vector3::Zero();  ///< of the true current, in ten seconds [m/s].
   double changes_at = 0.0;                               ///< [s]
+  core::Vector3 run_off = core::Vector3::Zero();  ///< velocity of a vehicle that leaves its station then [m/s].
+  double most_thrust = 1e9;                       ///< of a vehicle under its own thrust [N].
 };
 
 /// C (tow in heave), D (tow in a turn), G (keeps its station in a current), R (rests), M (manoeuvres at 0.5 m/s),
@@ -41,6 +43,9 @@ struct TruthDraw
 TruthDraw drawTruth(const UncertainCase& c, unsigned seed);
 /// Moves a case with what is otherwise in it.
 Truth makeTruth(const UncertainCase& c, const TruthDraw& draw);
+
+/// C, D, G, ... by name. @throws std::out_of_range
+UncertainCase uncertainCase(const std::string& name);
 
 /// Configuration for a truth of a case.
 monitor::Config configFor(const UncertainCase& c, const Truth& truth, const Sensors& sensors);

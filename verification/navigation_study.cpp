@@ -173,7 +173,8 @@ monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monito
   return config;
 }
 
-Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors)
+Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors,
+              const std::function<void(const monitor::TetherEstimator&, std::size_t)>& look)
 {
   std::mt19937 generator(sensors.seed);
   std::normal_distribution<double> normal;
@@ -231,6 +232,8 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     const double begin = cpuTime();
     const monitor::TetherEstimate& e = estimator.tick(t);
     trail.cpu += cpuTime() - begin;
+    if (look)
+      look(estimator, i);
     trail.t.push_back(t);
     trail.index.push_back(i);
     trail.vessel_p05.push_back(e.vessel_tension_p05);

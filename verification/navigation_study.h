@@ -72,7 +72,9 @@ monitor::Config configFor(const Truth& truth, const Knowledge& knowledge, monito
                           const Sensors& sensors);
 
 /// Runs the estimator live at its rate over measurements of the truth.
-Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors);
+/// @param look  called after every tick with the index in the truth; may be empty.
+Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& sensors,
+              const std::function<void(const monitor::TetherEstimator&, std::size_t)>& look = nullptr);
 
 /// How well a trail matches the truth from `from` to `to` [s].
 struct Score

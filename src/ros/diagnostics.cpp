@@ -176,6 +176,9 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
   status.add("Last solve", core::describe(estimator.simulation().last_solve.status));
   status.add("Longest computing time of a cycle [ms]", 1e3 * inputs.worst_step_time);
   status.addf("Cycles", "%ld, %ld missed", inputs.ticks, inputs.missed);
+  if (inputs.forecast_members > 0)
+    status.addf("Forecast", "%d members every %.3g s%s", inputs.forecast_members, inputs.forecast_interval,
+                inputs.forecast_is_short ? ": the machine is too slow for what is configured" : "");
   for (const auto& [topic, input] : inputs.statistics)
     diagnoseInput(topic, input, status);
   for (const auto& [topic, refusal] : inputs.refusals)

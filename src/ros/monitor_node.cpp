@@ -312,6 +312,10 @@ void MonitorNode::updateSurroundings()
   diagnostic_inputs_.clock_stands = now == last_seen_clock_;
   last_seen_clock_ = now;
   diagnostic_inputs_.master_is_lost = master_watch_.isLost();
+  const ForecastBudget budget = forecast_.budget();
+  diagnostic_inputs_.forecast_members = estimator_.config().forecast.rate > 0.0 ? budget.members() : 0;
+  diagnostic_inputs_.forecast_interval = budget.interval();
+  diagnostic_inputs_.forecast_is_short = budget.isShort();
 }
 
 void MonitorNode::publishAlarms(const std_msgs::Header& header)

@@ -65,6 +65,8 @@ TEST(Forecast, ComesBeforeTheAlarm)
   EXPECT_EQ(forecasts.last.horizon, 30.0);
   EXPECT_GT(forecasts.last.computing_time, 0.0);
 
+  EXPECT_TRUE(scenario.diagnosticsSay("members every"));
+
   // The vehicle drives away until the tether is taut.
   scenario.vehicle_velocity = {0.4, 0.0, -0.25};
   double warned = NOT_GIVEN, expected = NOT_GIVEN;
@@ -72,6 +74,7 @@ TEST(Forecast, ComesBeforeTheAlarm)
   while (!scenario.over_tension && scenario.time < set_off + 60.0)
   {
     scenario.run(0.05);
+    ros::WallDuration(0.03).sleep();  // a forecast takes its time, however fast that passes here
     if (std::isnan(warned) && forecasts.last.probability_over_tension > 0.5)
     {
       warned = scenario.time;

@@ -32,6 +32,9 @@ struct DiagnosticInputs
   bool clock_stands = false;           ///< time has not gone on since the last update.
   bool master_is_lost = false;         ///< the ROS master does not answer.
   monitor::VibrationReport vibration;  ///< of the last update.
+  int forecast_members = 0;            ///< that a forecast can afford now; 0: there is none.
+  double forecast_interval = 0.0;      ///< [s] from one to the next.
+  bool forecast_is_short = false;      ///< the machine is too slow for what is configured.
 };
 
 /// Fills a status with level, summary, numbers, likely cause and advice.

@@ -1,0 +1,76 @@
+// How good forecasts of over-tension are when tether, water and vehicle are not known well: truths that are drawn
+// from what is told. Prints tables and writes a file.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "verification/forecast_study.h"
+
+namespace tether_monitor::bench
+{
+namespace
+{
+nlohmann::json print(const std::string& what, bool has_load_cell, int runs, double cpu,
+                     const monitor::ForecastScore::Result& r)
+{
+  std::printf(
+      "%-45s %d | %3d runs | %3ld events, %3ld warned 10 s ahead, median %.0f s | %3ld warnings, %ld false | ",
+      what.c_str(), has_load_cell, runs, r.events, r.warned, r.median_lead_time, r.warnings, r.false_warnings);
+  nlohmann::json row{{"what", what},
+                     {"load_cell", has_load_cell},
+                     {"runs", runs},
+                     {"cpu", cpu},
+                     {"events", r.events},
+                     {"warned", r.warned},
+                     {"median_lead_time", std::isfinite(r.median_lead_time) ? nlohmann::json(r.median_lead_time)
+                                                                            : nlohmann::json(nullptr)},
+                     {"warnings", r.warnings},
+                     {"false_warnings", r.false_warnings},
+                     {"brier_score", r.brier_score}};
+  for (const monitor::ForecastScore::Reliability& b : r.reliability)
+  {
+    std::printf("%.0f: %.0f (%ld) ", 100.0 * b.mean_probability, 100.0 * b.observed, b.forecasts);
+    row["reliability"].push_back(
+        {{"forecasts", b.forecasts}, {"mean_probability", b.mean_probability}, {"came_true", b.observed}});
+  }
+  std::printf("| %.3f s\n", cpu);
+  std::fflush(stdout);
+  return row;
+}
+}  // namespace
+}  // namespace tether_monitor::bench
+
+// bench_forecast FILE [DRAWS] [FIRST_SEED]
+int main(int argc, char** argv)
+{
+  using namespace tether_monitor;
+  if (argc < 2)
+  {
+    std::cerr << "usage: bench_forecast FILE [DRAWS] [FIRST_SEED]\n";
+    return 2;
+  }
+  const int draws = argc > 2 ? std::atoi(argv[2]) : 50;
+  const unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1000;
+  std::printf(
+      "case, load cell | runs | events | warnings | forecast %%: came true %% (forecasts) | a forecast [s]\n");
+  nlohmann::json rows = nlohmann::json::array();
+  for (const bool has_load_cell : {false, true})
+  {
+    monitor::ForecastScore total;
+    int runs = 0;
+    double cpu = 0.0;
+    for (const bench::ForecastCase& c : bench::forecastCases())
+    {
+      const bench::ForecastStudy study = bench::studyForecasts(c, draws, seed, has_load_cell, total);
+      rows.push_back(bench::print(c.of.of.what, has_load_cell, study.runs, study.cpu, study.result));
+      runs += study.runs;
+      cpu = std::max(cpu, study.cpu);
+    }
+    rows.push_back(bench::print("all", has_load_cell, runs, cpu, total.result()));
+  }
+  std::ofstream(argv[1]) << rows.dump(1) << "\n";
+  return 0;
+}
