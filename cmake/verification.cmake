@@ -1,6 +1,7 @@
 # Random tethers, the cases A to F and the navigation study: shared by tests, fuzzing and benchmarks.
 add_library(tether_monitor_verification STATIC
   verification/estimation_study.cpp
+  verification/estimation_truths.cpp
   verification/forecast_study.cpp
   verification/navigation_study.cpp
   verification/random_tether.cpp

@@ -249,8 +249,7 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     trail.status.push_back(e.status);
     trail.reason.push_back(e.reason);
     for (const monitor::Alarm& alarm : estimator.alarms().alarms())
-      trail.limit_alarm =
-          trail.limit_alarm || (alarm.definition().name == "over_tension" && alarm.isAnnunciated());
+      trail.limit_alarm |= alarm.definition().name == "over_tension" && alarm.isAnnunciated();
   }
   if (const monitor::TetherEnsemble* ensemble = estimator.vehicle().ensemble())
     trail.innovations = ensemble->innovations();

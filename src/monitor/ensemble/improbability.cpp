@@ -9,6 +9,7 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double IMPROBABLE = 4.0;      // standard deviations that chance does not explain
+constexpr double LEAST_LEARNT = 0.4;    // share of a variance that is taken to have gone, at least
 constexpr double NORMAL_P999 = 3.0902;  // standard normal quantile of 0.999
 
 double squareOf(const LearntQuantity& q)
@@ -70,9 +71,13 @@ double JointImprobability::bound() const
   return dof * std::pow(1.0 - spread + NORMAL_P999 * std::sqrt(spread), 3);
 }
 
+// What is known of a quantity moves its mean by as much as its variance has lost.
 bool isImprobable(const LearntQuantity& quantity)
 {
-  return squareOf(quantity) > IMPROBABLE * IMPROBABLE;
+  if (!(quantity.prior_stddev > 0.0))
+    return false;
+  const double learnt = 1.0 - quantity.variance / std::pow(quantity.prior_stddev, 2);
+  return squareOf(quantity) > IMPROBABLE * IMPROBABLE * std::clamp(learnt, LEAST_LEARNT, 1.0);
 }
 
 void findImprobable(const EnsembleFilter& filter, const std::function<void(Subject, Implausibility)>& note)
@@ -81,10 +86,10 @@ void findImprobable(const EnsembleFilter& filter, const std::function<void(Subje
   double farthest = 0.0;
   Finding explains{};
   bool is_noted = false;
-  const auto look = [&](const LearntQuantity& quantity, const Finding& finding)
+  const auto look = [&](const LearntQuantity& quantity, double certain_variance, const Finding& finding)
   {
     joint.add(quantity);
-    if (isImprobable(quantity))
+    if (isImprobable({quantity.mean, certain_variance, quantity.prior_stddev}))
     {
       note(finding.subject, finding.what);
       is_noted = true;
@@ -97,7 +102,8 @@ void findImprobable(const EnsembleFilter& filter, const std::function<void(Subje
   for (int k = 0; k < PARAMETERS; ++k)
   {
     const auto row = filter.parameters().row(k);
-    look({row.mean(), varianceOf(row), filter.prior().stddev[k]}, findingOf(static_cast<Parameter>(k)));
+    const double variance = varianceOf(row);
+    look({row.mean(), variance, filter.prior().stddev[k]}, variance, findingOf(static_cast<Parameter>(k)));
   }
   const auto force = filter.motionError().means().middleRows<3>(MotionErrorFilter::SLOW);
   for (int axis = 0; axis < 3; ++axis)
@@ -105,7 +111,7 @@ void findImprobable(const EnsembleFilter& filter, const std::function<void(Subje
     const int state = MotionErrorFilter::SLOW + axis;
     look({force.row(axis).mean(), varianceOf(force.row(axis)) + filter.motionError().covariance()(state, state),
           filter.unknownForce().slow_stddev},
-         {Subject::VEHICLE, Implausibility::IMPROBABLE_FORCE});
+         0.0, {Subject::VEHICLE, Implausibility::IMPROBABLE_FORCE});
   }
   if (!is_noted && joint.isImprobable())
     note(explains.subject, explains.what);

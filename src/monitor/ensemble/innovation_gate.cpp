@@ -19,7 +19,7 @@ constexpr double DRIFT = 0.5;                 // speed at which offsets that agr
 constexpr double SQUARE_SHARE = 0.03;         // of the running mean of the squares
 constexpr double MEAN_SHARE = 0.1;            // of the running mean of the innovations
 constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
-constexpr double BIAS_CHI2_FAULT = 25.0;  // squared normalized_innovation_mean that chance does not explain
+constexpr double BIAS_CHI2_FAULT = 20.0;  // squared normalized_innovation_mean that chance does not explain
 constexpr int OTHER_RESET_COUNT = 60;     // refused readings of tension, direction or velocity in a row
 }  // namespace
 

@@ -137,7 +137,8 @@ bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherE
   const core::CableState& state = copy.cycle_.simulation_.state;
   const bool is_sound = reader.finished() && fits(copy.estimate(), *model) && copy.phase() >= Phase::IDLE &&
                         copy.phase() <= Phase::RUNNING && copy.cycle_.vessel_->isValid() &&
-                        copy.cycle_.vehicle_->isValid(*model) && copy.forecast_inputs_.isValid() && copy.cycle_.payout_.isValid() &&
+                        copy.cycle_.vehicle_->isValid(*model) && copy.forecast_inputs_.isValid() &&
+                        copy.cycle_.payout_.isValid() &&
                         (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate().time));
   if (!is_sound)
     return false;

@@ -203,11 +203,11 @@ void ObservedVehicleEnd::prepareForecast(ForecastStart& start) const
   start.thrust = thrust_.at(start.t);
   start.attitude = ensemble_.attitude();
   start.unknown_force = filter.unknownForce();
-  start.slow_force_covariance =
-      error.covariance().block<3, 3>(MotionErrorFilter::SLOW, MotionErrorFilter::SLOW);
+  start.slow_force_covariance = error.covariance().block<3, 3>(MotionErrorFilter::SLOW, MotionErrorFilter::SLOW);
   start.members.reserve(ensemble_.members().size());
   for (int i = 0; i < ensemble_.members().size(); ++i)
-    start.members.push_back({ensemble_.members().state(i), error.means().col(i).segment<3>(MotionErrorFilter::SLOW),
+    start.members.push_back({ensemble_.members().state(i),
+                             error.means().col(i).segment<3>(MotionErrorFilter::SLOW),
                              error.means().col(i).segment<3>(MotionErrorFilter::FAST)});
 }
 

@@ -83,7 +83,7 @@ void EndMotionPredictor::start(double t, const core::EndMotion& end)
   horizontal_square_ = vertical_square_ = USUAL_ACCELERATION * USUAL_ACCELERATION;
 }
 
-// Along the way, for what is across it is a turn.
+// Along the course, for what is across it is a turn.
 void EndMotionPredictor::learnAcceleration(double dt)
 {
   const auto of = [&](int state)
@@ -142,7 +142,7 @@ EndMotionSampler::EndMotionSampler(const EndMotionPredictor& predictor, const co
   }
 }
 
-// The acceleration across the way is a turn, and goes on; the one along it fades.
+// The acceleration across the course is a turn, and goes on; the one along it fades.
 EndMotionSampler::Course EndMotionSampler::begin(RandomNumbers& random) const
 {
   Course course;

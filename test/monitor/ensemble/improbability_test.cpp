@@ -9,8 +9,10 @@ namespace tether_monitor::monitor
 {
 TEST(JointImprobability, OneAloneBeyondFourStandardDeviations)
 {
-  EXPECT_FALSE(isImprobable({3.9 * 0.2, 0.01, 0.2}));
-  EXPECT_TRUE(isImprobable({-4.1 * 0.2, 0.01, 0.2}));
+  EXPECT_FALSE(isImprobable({3.9 * 0.2, 0.0, 0.2}));
+  EXPECT_TRUE(isImprobable({-4.1 * 0.2, 0.0, 0.2}));
+  EXPECT_FALSE(isImprobable({2.5 * 0.2, 0.04, 0.2})) << "next to nothing is known";
+  EXPECT_TRUE(isImprobable({3.0 * 0.2, 0.5 * 0.04, 0.2})) << "beyond what so little knowledge can say";
   EXPECT_FALSE(isImprobable({7.0, 0.0, 0.0})) << "known: not learnt";
 }
 

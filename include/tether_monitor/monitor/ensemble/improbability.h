@@ -15,8 +15,8 @@ struct LearntQuantity
 };
 
 /**
- * Whether what has been learnt is farther from the prior than chance explains: one mean beyond four of its prior
- * standard deviations, or the squared distance of all together beyond its 0.999 quantile, (E16) of
+ * Whether what has been learnt is farther from the prior than chance explains: one mean beyond four standard
+ * deviations of what has been learnt, or the squared distance of all together beyond its 0.999 quantile, (E16) of
  * doc/theory/estimation.md.
  */
 class JointImprobability
@@ -34,7 +34,8 @@ class JointImprobability
   double learnt_ = 0.0;  // degrees of freedom for signal: shares of the prior variances that are gone
 };
 
-/// Of one quantity alone.
+/// Of one quantity alone: its mean is beyond four standard deviations of what it can have learnt, 0.4 of its prior
+/// variance at least.
 bool isImprobable(const LearntQuantity& quantity);
 
 /// Notes what no chance explains: every quantity that is improbable alone, or where all are together, the one that
