@@ -263,6 +263,18 @@ class Tools(unittest.TestCase):
         self.refused(self.replay("--motion", motion, "--part-at", "5"), "two numbers")
         self.refused(self.replay("--motion", motion, "--part-at", "500,40"), "cannot part at t = 500")
 
+    def test_forecasts_are_made_and_scored(self):
+        motion = self.file("off.csv", "t,vessel_x,vessel_y,vessel_z,vehicle_x,vehicle_y,vehicle_z\n" + "".join(
+            "%.1f,0,0,1,%.3f,0,%.3f\n" % (0.5 * i, 48 + 0.15 * i, -58 - 0.1 * i) for i in range(161)))
+        self.assertEqual(self.replay("--motion", motion, "--forecast").returncode, 0)
+        forecasts = rows(self.out + "/forecast.csv")
+        self.assertGreater(len(forecasts), 50)
+        self.assertLess(float(forecasts[0]["probability_over_tension"]), 0.1)
+        with open(self.out + "/summary.json") as text:
+            score = json.load(text)["forecast"]
+        self.assertEqual(score["forecasts"], len(forecasts))
+        self.assertEqual((score["events"], score["warned_10_s_ahead"], score["false_warnings"]), (1, 1, 0))
+
     def test_bad_arguments(self):
         self.assertEqual(run("tether_replay").returncode, 1)
         self.assertEqual(run("tether_replay", "--help").returncode, 0)

@@ -8,20 +8,21 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double POSITION_STDDEV = 0.02;            // that an observed motion is taken to have [m]
-constexpr double VELOCITY_STDDEV = 0.05;            // [m/s]
-constexpr double OBSERVATION_STEP = 0.1;            // [s] between those that are used
-constexpr double SLOWEST_TURN = 0.3;                // speed below which nothing turns [m/s]
-constexpr double FASTEST_TURN = 0.1;                // [rad/s]
-constexpr double OFFSET_BANDWIDTH = 1.0;            // with which what is wrong at the beginning fades [1/s]
-constexpr double COMMAND_TIME = 4.0;                // in which a commanded speed is reached [s]
-constexpr double MOST_ACCELERATION = 0.3;           // [m/s^2]
-constexpr double USUAL_ACCELERATION = 0.003;        // before anything is known [m/s^2]
-constexpr double USUAL_FOR = 30.0, MEMORY = 120.0;  // [s] that this counts for, and of what has been
-constexpr double FILTERS_ACCELERATION = 0.015;      // that the filters take an end to have [m/s^2]
-constexpr double WAVE_MEMORY = 60.0;                // [s]
-constexpr double SETTLING = 15.0;                   // [s] in which the filters find track and waves
-constexpr double SHORTEST_WATCH = 10.0;             // [s] before which nothing is predicted
+constexpr double POSITION_STDDEV = 0.02;           // that an observed motion is taken to have [m]
+constexpr double VELOCITY_STDDEV = 0.05;           // [m/s]
+constexpr double OBSERVATION_STEP = 0.1;           // [s] between those that are used
+constexpr double SLOWEST_TURN = 0.3;               // speed below which nothing turns [m/s]
+constexpr double FASTEST_TURN = 0.1;               // [rad/s]
+constexpr double OFFSET_BANDWIDTH = 1.0;           // with which what is wrong at the beginning fades [1/s]
+constexpr double COMMAND_TIME = 4.0;               // in which a commanded speed is reached [s]
+constexpr double MOST_ACCELERATION = 0.3;          // [m/s^2]
+constexpr double USUAL_ACCELERATION = 0.003;       // before anything is known [m/s^2]
+constexpr double USUAL_FOR = 30.0, MEMORY = 60.0;  // [s] that this counts for, and of what has been
+constexpr double KEPT = 0.5;  // of the accelerations: a helmsman keeps his speed better than chance would
+constexpr double FILTERS_ACCELERATION = 0.015;  // that the filters take an end to have [m/s^2]
+constexpr double WAVE_MEMORY = 60.0;            // [s]
+constexpr double SETTLING = 15.0;               // [s] in which the filters find track and waves
+constexpr double SHORTEST_WATCH = 10.0;         // [s] before which nothing is predicted
 constexpr int POSITION = 0, VELOCITY = 1, ACCELERATION = 2, WAVE = 5, WAVE_VELOCITY = 6;
 
 AxisKalmanFilter::Matrix squareRoot(const AxisKalmanFilter::Matrix& covariance)
@@ -130,7 +131,7 @@ EndMotionSampler::EndMotionSampler(const EndMotionPredictor& predictor, const co
 {
   for (int i = 0; i < 3; ++i)
   {
-    liveliness_[i] = std::min(predictor.accelerationStddev(i) / FILTERS_ACCELERATION, 1.0);
+    liveliness_[i] = std::min(KEPT * predictor.accelerationStddev(i) / FILTERS_ACCELERATION, 1.0);
     transition_[i] = predictor.axis(i).transition(step);
     const double wave_share = predictor.waveShare(i);
     Matrix noise = predictor.axis(i).noise(step);

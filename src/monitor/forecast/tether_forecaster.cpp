@@ -129,6 +129,13 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
     core::computeStations(cable, state, estimate_.stations);
     summarize(cable, estimate_);
     traces_.add(index, STEP * k, estimate_, limits_);
+    if (estimate_.breaking_utilisation > 1.0)
+    {
+      // It parts; what would come after is no number.
+      for (int later = k + 1; later <= steps; ++later)
+        traces_.add(index, STEP * later, estimate_, limits_);
+      return true;
+    }
   }
   return true;
 }

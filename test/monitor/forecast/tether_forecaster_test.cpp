@@ -85,6 +85,15 @@ TEST(TetherForecaster, PayingOutHelps)
   EXPECT_GT(forecaster.run(start, HORIZON, 32, pay_out).probability_over_tension, 0.05);
 }
 
+// A held end that goes on beyond the tether's reach would give any tension.
+TEST(TetherForecaster, WhatPartsPullsNoMore)
+{
+  const EstimatorFixture fixture = drivingOff();
+  const TetherForecast f = TetherForecaster(coarseConfig()).run(*fixture.estimator.forecastStart(), 60.0, 16);
+  EXPECT_GT(f.probability_breaking, 0.9);
+  EXPECT_LT(f.max_tension.back(), 4.0 * coarseConfig().tether.breaking_load);
+}
+
 TEST(TetherForecaster, AVesselAtRestHasNoSpeedToRecommend)
 {
   const EstimatorFixture fixture = drivingOff();
