@@ -13,8 +13,8 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr double MOST_SHARE = 0.5;     // of the interval that a forecast may take
-constexpr double LITTLE_SHARE = 0.25;  // below it there may be more again
+constexpr double MOST_SHARE = 0.25;    // of the interval that a forecast may take
+constexpr double LITTLE_SHARE = 0.12;  // below it there may be more again
 constexpr int FEWEST_MEMBERS = 16;
 constexpr int RECOMMENDING_MEMBERS = 24;
 constexpr double LONGEST_INTERVAL = 10.0;  // [s]

