@@ -1,7 +1,5 @@
 #include "verification/forecast_study.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -22,13 +20,6 @@ constexpr double BEGIN = 45.0, DURATION = 150.0;  // [s]
 constexpr double SEEN = 5.0;                      // [s] after which a change can have been seen
 constexpr int MEMBERS = 96, THREADS = 2;
 constexpr double HORIZON = 30.0, PERIOD = 1.0;  // [s]
-
-double threadTime()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Integral of a speed that goes from one value to another within `ramp` seconds from BEGIN on.
 double distanceAt(double t, double from, double to, double ramp)
@@ -127,9 +118,9 @@ ForecastStudy studyForecasts(const ForecastCase& c, int draws, unsigned first_se
                 if (!start || (t > BEGIN - HORIZON && t < BEGIN + SEEN))
                   return;
                 last = t;
-                const double began = threadTime();
+                const double began = cpuTime();
                 score.add(forecaster.run(*start, HORIZON, MEMBERS));
-                cpu += threadTime() - began;
+                cpu += cpuTime() - began;
                 ++made;
               });
       const std::lock_guard<std::mutex> lock(mutex);

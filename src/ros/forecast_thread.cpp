@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
+
+#include "tether_monitor/replay/cpu_clock.h"
 
 namespace tether_monitor
 {
@@ -23,23 +24,11 @@ constexpr double FASTER = 1.5, FASTER_BY = 0.5;          // than now: the larges
 constexpr double LEAST_RATE = -1.0, LARGEST_RATE = 2.0;  // of the winch that are tried [m/s]
 constexpr int LOW_PRIORITY = 10;                         // nice
 
-double secondsOf(const timespec& t)
-{
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double threadTime()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return secondsOf(t);
-}
-
 double wallTime()
 {
   timespec t{};
   clock_gettime(CLOCK_MONOTONIC, &t);
-  return secondsOf(t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 }  // namespace
 
@@ -144,7 +133,7 @@ void ForecastThread::run()
 void ForecastThread::forecast(const monitor::ForecastStart& start)
 {
   const int members = budget().members();
-  const double began = threadTime();
+  const double began = replay::cpuClock();
   monitor::TetherForecast forecast;
   try
   {
@@ -161,7 +150,7 @@ void ForecastThread::forecast(const monitor::ForecastStart& start)
     forecast.recommended_vessel_speed = speed_;
     forecast.recommended_payout_rate = payout_rate_;
   }
-  forecast.computing_time = threadTime() - began;
+  forecast.computing_time = replay::cpuClock() - began;
   ready_(forecast);
 }
 
@@ -181,10 +170,10 @@ void ForecastThread::recommend(const monitor::ForecastStart& start, int members)
 monitor::TetherForecast ForecastThread::whatIf(const Start& start, double horizon,
                                                const monitor::ForecastActions& actions) const
 {
-  const double began = threadTime();
+  const double began = replay::cpuClock();
   monitor::TetherForecaster forecaster(config_);
   monitor::TetherForecast forecast = forecaster.run(*start, horizon, budget().members(), actions);
-  forecast.computing_time = threadTime() - began;
+  forecast.computing_time = replay::cpuClock() - began;
   return forecast;
 }
 

@@ -1,8 +1,9 @@
 #include "tether_monitor/monitor/forecast/end_motion_predictor.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "tether_monitor/monitor/forecast/random_vectors.h"
 
 namespace tether_monitor::monitor
 {
@@ -24,20 +25,6 @@ constexpr double WAVE_MEMORY = 60.0;            // [s]
 constexpr double SETTLING = 15.0;               // [s] in which the filters find track and waves
 constexpr double SHORTEST_WATCH = 10.0;         // [s] before which nothing is predicted
 constexpr int POSITION = 0, VELOCITY = 1, ACCELERATION = 2, WAVE = 5, WAVE_VELOCITY = 6;
-
-AxisKalmanFilter::Matrix squareRoot(const AxisKalmanFilter::Matrix& covariance)
-{
-  const Eigen::SelfAdjointEigenSolver<AxisKalmanFilter::Matrix> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
-
-AxisKalmanFilter::Vector normals(RandomNumbers& random)
-{
-  AxisKalmanFilter::Vector x;
-  for (int k = 0; k < AxisKalmanFilter::STATES; ++k)
-    x[k] = random.normal();
-  return x;
-}
 
 void turn(double angle, double& x, double& y)
 {
@@ -149,7 +136,7 @@ EndMotionSampler::Course EndMotionSampler::begin(RandomNumbers& random) const
   Course course;
   for (int i = 0; i < 3; ++i)
   {
-    AxisKalmanFilter::Vector deviation = spread_[i] * normals(random);
+    AxisKalmanFilter::Vector deviation = spread_[i] * normals<AxisKalmanFilter::STATES>(random);
     deviation[ACCELERATION] *= liveliness_[i];
     course.axes[i] = predictor_.axis(i).mean() + deviation;
   }
@@ -184,7 +171,8 @@ void EndMotionSampler::steer(Course& course) const
 core::EndMotion EndMotionSampler::advance(Course& course, RandomNumbers& random) const
 {
   for (int i = 0; i < 3; ++i)
-    course.axes[i] = (transition_[i] * course.axes[i] + noise_[i] * normals(random)).eval();
+    course.axes[i] =
+        (transition_[i] * course.axes[i] + noise_[i] * normals<AxisKalmanFilter::STATES>(random)).eval();
   if (command_.velocity)
     steer(course);
   const double angle = course.turn_rate * step_;

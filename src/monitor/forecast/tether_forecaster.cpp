@@ -1,11 +1,11 @@
 #include "tether_monitor/monitor/forecast/tether_forecaster.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "tether_monitor/monitor/ensemble/ensemble_members.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
+#include "tether_monitor/monitor/forecast/random_vectors.h"
 
 namespace tether_monitor::monitor
 {
@@ -20,21 +20,21 @@ constexpr double SLOWEST_WAY = 0.1;          // speed below which a vessel has n
 constexpr int BISECTIONS = 4;
 constexpr std::uint64_t SEED = 11, SEED_STEP = 1000003;
 
-core::Matrix3 squareRoot(const core::Matrix3& covariance)
-{
-  const Eigen::SelfAdjointEigenSolver<core::Matrix3> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
-
-core::Vector3 normals(RandomNumbers& random)
-{
-  const double x = random.normal(), y = random.normal();
-  return {x, y, random.normal()};
-}
-
 core::EndMotion endOf(const core::NodeCoords& q, const core::NodeCoords& v, const core::Vector3& origin)
 {
   return {q.head<3>() + origin, v.head<3>()};
+}
+
+// The value nearest to `unsafe` that is safe; both ends are known to be what their names say.
+template <class IsSafe>
+double lastSafe(double safe, double unsafe, const IsSafe& isSafe)
+{
+  for (int k = 0; k < BISECTIONS; ++k)
+  {
+    const double middle = 0.5 * (safe + unsafe);
+    (isSafe(middle) ? safe : unsafe) = middle;
+  }
+  return safe;
 }
 
 // The unknown force on the vehicle of one member.
@@ -44,12 +44,12 @@ class UnknownForceCourse
   UnknownForceCourse(const ForecastStart& start, const ForecastMember& member, RandomNumbers& random)
     : stddev_(start.unknown_force.fast_stddev), decay_(std::exp(-STEP / start.unknown_force.fast_memory))
   {
-    slow_ = member.slow_force + squareRoot(start.slow_force_covariance) * normals(random);
+    slow_ = member.slow_force + squareRoot(start.slow_force_covariance) * normals<3>(random);
     fast_ = member.fast_force;
   }
   core::Vector3 advance(RandomNumbers& random)
   {
-    fast_ = decay_ * fast_ + stddev_ * std::sqrt(1.0 - decay_ * decay_) * normals(random);
+    fast_ = decay_ * fast_ + stddev_ * std::sqrt(1.0 - decay_ * decay_) * normals<3>(random);
     return slow_ + fast_;
   }
 
@@ -195,13 +195,7 @@ double TetherForecaster::largestVesselSpeed(const ForecastStart& start, double h
     return TetherForecast::NONE;
   if (isSafe(high))
     return high;
-  double safe = 0.0, unsafe = high;
-  for (int k = 0; k < BISECTIONS; ++k)
-  {
-    const double middle = 0.5 * (safe + unsafe);
-    (isSafe(middle) ? safe : unsafe) = middle;
-  }
-  return safe;
+  return lastSafe(0.0, high, isSafe);
 }
 
 double TetherForecaster::leastPayoutRate(const ForecastStart& start, double horizon, int members, double low,
@@ -217,13 +211,7 @@ double TetherForecaster::leastPayoutRate(const ForecastStart& start, double hori
     return TetherForecast::NONE;
   if (isSafe(low))
     return low;
-  double safe = high, unsafe = low;
-  for (int k = 0; k < BISECTIONS; ++k)
-  {
-    const double middle = 0.5 * (safe + unsafe);
-    (isSafe(middle) ? safe : unsafe) = middle;
-  }
-  return safe;
+  return lastSafe(high, low, isSafe);
 }
 
 }  // namespace tether_monitor::monitor
