@@ -50,12 +50,6 @@ class EnsembleMembers
   void takeObstacles(const CableSimulation& simulation);
   void moveObstacle(std::size_t k, const core::ObstacleMotion& now);
 
-  /// What acts on one member.
-  struct Drive
-  {
-    core::Vector3 force;   ///< on the vehicle, world axes [N].
-    core::Vector3 torque;  ///< body axes [N m].
-  };
   /**
    * Steps all members to time t [s].
    *

@@ -108,7 +108,6 @@ class TetherEnsemble
   NavigationConfig navigation_;
   core::RigidBody body_;
   double invalid_timeout_;  // [s]
-  UnknownForce force_;
   MeasurementHistory history_;
   core::EndDynamicStiffnessSolver solver_;
   EnsembleMembers members_;
