@@ -12,9 +12,10 @@ find_package(catkin REQUIRED COMPONENTS
   std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros visualization_msgs)
 
 add_message_files(FILES
-  Alarm.msg AlarmArray.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg
-  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherForecast.msg TetherState.msg)
-add_service_files(FILES WhatIf.srv)
+  Alarm.msg AlarmArray.msg AlarmEvent.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg
+  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherForecast.msg TetherState.msg
+  WrenchWithCovarianceStamped.msg)
+add_service_files(FILES AlarmAction.srv AlarmLog.srv WhatIf.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 
 catkin_package(
@@ -27,13 +28,18 @@ export(TARGETS tether_monitor_core tether_monitor_monitor NAMESPACE tether_monit
   FILE ${CMAKE_BINARY_DIR}/tether_monitor-targets.cmake)
 
 add_library(tether_monitor_ros STATIC
+  src/ros/alarm_publisher.cpp
   src/ros/alarm_text.cpp
   src/ros/bag_replay.cpp
   src/ros/crash_guard.cpp
+  src/ros/cycle_statistics.cpp
+  src/ros/cycle_thread.cpp
   src/ros/diagnostics.cpp
+  src/ros/estimator_runner.cpp
   src/ros/forecast_publisher.cpp
   src/ros/forecast_thread.cpp
   src/ros/geometry_conversions.cpp
+  src/ros/header_check.cpp
   src/ros/input_adapter.cpp
   src/ros/input_statistics.cpp
   src/ros/input_topics.cpp
@@ -42,8 +48,12 @@ add_library(tether_monitor_ros STATIC
   src/ros/message_bounds.cpp
   src/ros/message_conversions.cpp
   src/ros/monitor_node.cpp
+  src/ros/output_publisher.cpp
   src/ros/parameter_server.cpp
+  src/ros/publishing_thread.cpp
+  src/ros/simulator_bridge.cpp
   src/ros/simulator_node.cpp
+  src/ros/state_keeper.cpp
   src/ros/transform_input.cpp)
 add_dependencies(tether_monitor_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})

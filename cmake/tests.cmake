@@ -61,7 +61,10 @@ set(test_files
   test/files/depth_grid_file_test.cpp
   test/files/text_file_test.cpp
   test/monitor/alarms/alarm_quantities_test.cpp
+  test/monitor/alarms/alarm_life_test.cpp
+  test/monitor/alarms/alarm_log_test.cpp
   test/monitor/alarms/alarm_set_test.cpp
+  test/monitor/alarms/alarm_table_test.cpp
   test/monitor/alarms/alarm_test.cpp
   test/monitor/config/config_fingerprint_test.cpp
   test/monitor/config/suspicious_values_test.cpp
@@ -76,6 +79,8 @@ set(test_files
   test/monitor/estimator/observed_vehicle_end_test.cpp
   test/monitor/estimator/observed_vehicle_faults_test.cpp
   test/monitor/estimator/obstacle_tracker_test.cpp
+  test/monitor/estimator/load_cell_check_test.cpp
+  test/monitor/estimator/alarm_input_tracker_test.cpp
   test/monitor/estimator/payout_follower_test.cpp
   test/monitor/estimator/start_worker_test.cpp
   test/monitor/estimator/steady_start_test.cpp
@@ -85,6 +90,8 @@ set(test_files
   test/monitor/forecast/forecast_score_test.cpp
   test/monitor/forecast/forecast_traces_test.cpp
   test/monitor/forecast/tether_forecaster_test.cpp
+  test/monitor/forecast/vessel_plan_test.cpp
+  test/monitor/measurements/turn_counter_test.cpp
   test/monitor/measurements/body_state_test.cpp
   test/monitor/measurements/correction_blender_test.cpp
   test/monitor/measurements/measured_vector_test.cpp

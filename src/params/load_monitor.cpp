@@ -19,6 +19,9 @@ void loadAlarm(ParameterReader in, monitor::AlarmConfig& alarm)
   alarm.timing.off_delay = in.number("off_delay", alarm.timing.off_delay);
   alarm.timing.deadband = in.number("deadband", alarm.timing.deadband);
   alarm.timing.latch = in.boolean("latch", alarm.timing.latch);
+  alarm.timing.manual_reset = in.boolean("manual_reset", alarm.timing.manual_reset);
+  alarm.timing.realarm = in.number("realarm", alarm.timing.realarm);
+  alarm.timing.chatter_hold = in.number("chatter_hold", alarm.timing.chatter_hold);
   in.finish();
 }
 }  // namespace
@@ -63,6 +66,16 @@ void loadMonitor(ParameterReader in, monitor::Config& config)
   config.forecast.rate = forecast.number("rate", config.forecast.rate);
   config.forecast.members = forecast.integer("members", config.forecast.members);
   forecast.finish();
+  ParameterReader realtime = in.child("realtime");
+  config.runtime.priority = realtime.integer("priority", config.runtime.priority);
+  config.runtime.lock_memory = realtime.boolean("lock_memory", config.runtime.lock_memory);
+  realtime.finish();
+  config.runtime.state_file = in.text("state_file", "");
+  ParameterReader bridge = in.child("bridge");
+  config.runtime.bridge.vessel = bridge.text("vessel", "");
+  config.runtime.bridge.vehicle = bridge.text("vehicle", "");
+  config.runtime.bridge.vehicle_body = bridge.text("vehicle_body", "");
+  bridge.finish();
   ParameterReader alarms = in.child("alarms");
   for (const monitor::AlarmQuantity& quantity : monitor::alarmQuantities())
     loadAlarm(alarms.child(quantity.name), monitor::alarmConfig(config, quantity.name));

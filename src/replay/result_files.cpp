@@ -165,26 +165,10 @@ void AlarmsFile::write(double t, const monitor::AlarmSet& set)
     last_[i] = alarm.state();
     csv_.time(t)
         .text(alarm.definition().name)
-        .text(describe(alarm.state()))
+        .text(constantName(alarm.state()))
         .text(describe(alarm.definition().severity));
     csv_.number(alarm.value()).number(alarm.definition().limit).number(alarm.s()).endRow();
   }
-}
-
-const char* describe(monitor::AlarmState state)
-{
-  switch (state)
-  {
-    case monitor::AlarmState::NORMAL:
-      return "NORMAL";
-    case monitor::AlarmState::UNACKNOWLEDGED:
-      return "UNACKNOWLEDGED";
-    case monitor::AlarmState::ACKNOWLEDGED:
-      return "ACKNOWLEDGED";
-    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
-      return "RETURNED_UNACKNOWLEDGED";
-  }
-  return "UNKNOWN";
 }
 
 const char* describe(monitor::Severity severity)

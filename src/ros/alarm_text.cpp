@@ -6,29 +6,13 @@
 
 namespace tether_monitor
 {
-const char* alarmStateText(monitor::AlarmState state)
-{
-  switch (state)
-  {
-    case monitor::AlarmState::NORMAL:
-      return "normal";
-    case monitor::AlarmState::UNACKNOWLEDGED:
-      return "ACTIVE";
-    case monitor::AlarmState::ACKNOWLEDGED:
-      return "active, acknowledged";
-    case monitor::AlarmState::RETURNED_UNACKNOWLEDGED:
-      return "back in limits, not acknowledged";
-  }
-  return "unknown";
-}
-
 std::string alarmText(const monitor::Alarm& alarm, const TimeOrigin& time)
 {
   const monitor::AlarmDefinition& d = alarm.definition();
   const char* side = d.side == monitor::Side::ABOVE ? "above" : "below";
   char piece[200];
-  std::snprintf(piece, sizeof(piece), "%s %s: %.3g %s, limit %s %.3g", d.name.c_str(),
-                alarmStateText(alarm.state()), alarm.value(), d.unit.c_str(), side, d.limit);
+  std::snprintf(piece, sizeof(piece), "%s %s: %.3g %s, limit %s %.3g", d.name.c_str(), describe(alarm.state()),
+                alarm.value(), d.unit.c_str(), side, d.limit);
   std::string text = piece;
   if (!std::isnan(alarm.onset()))
   {
@@ -44,7 +28,19 @@ std::string alarmText(const monitor::Alarm& alarm, const TimeOrigin& time)
     std::snprintf(piece, sizeof(piece), ", at s = %.1f m", alarm.s());
     text += piece;
   }
-  return text;
+  return alarm.isChattering() ? text + ", chattering" : text;
+}
+
+std::string eventText(const monitor::AlarmEvent& event, const monitor::AlarmDefinition& definition)
+{
+  char text[300];
+  std::snprintf(text, sizeof(text), "%s %s: %.3g %s, limit %.3g", definition.name.c_str(), describe(event.to),
+                event.value, definition.unit.c_str(), definition.limit);
+  if (std::isnan(event.duration) || !(event.duration > 0.0))
+    return text;
+  char more[100];
+  std::snprintf(more, sizeof(more), ", peak %.3g, after %.1f s", event.peak, event.duration);
+  return std::string(text) + more;
 }
 
 }  // namespace tether_monitor

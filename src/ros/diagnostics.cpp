@@ -1,5 +1,6 @@
 #include "tether_monitor/ros/diagnostics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -114,6 +115,22 @@ void diagnoseSurroundings(const DiagnosticInputs& inputs, diagnostic_updater::Di
   }
 }
 
+void diagnoseLoadCell(const monitor::AlarmInputTracker& tracker,
+                      diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const monitor::LoadCellCheck& cell = tracker.loadCell();
+  if (std::isnan(cell.mismatch()))
+    return;
+  const monitor::TensionResidual& residual = cell.residual();
+  status.addf("Load cell", "%.4g N, predicted %.4g N: %.1f standard deviations; %s", residual.measured,
+              residual.predicted, residual.normalized(), describe(cell.cause()));
+  if (!std::isnan(cell.lengthError()) && cell.cause() == monitor::MismatchCause::LENGTH)
+    status.addf("Load cell: length that would explain it", "%.2f m less than reported", cell.lengthError());
+  if (!std::isnan(tracker.snag().s))
+    status.addf("Held fast", "near s = %.0f m, between %.0f and %.0f m", tracker.snag().s, tracker.snag().nearest,
+                tracker.snag().farthest);
+}
+
 void diagnoseInput(const std::string& topic, const InputStatistics& input,
                    diagnostic_updater::DiagnosticStatusWrapper& status)
 {
@@ -175,7 +192,7 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
   status.add("Newton iterations", estimator.simulation().count.iterations);
   status.add("Last solve", core::describe(estimator.simulation().last_solve.status));
   status.add("Longest computing time of a cycle [ms]", 1e3 * inputs.worst_step_time);
-  status.addf("Cycles", "%ld, %ld missed", inputs.ticks, inputs.missed);
+  diagnoseLoadCell(estimator.alarmInputs(), status);
   if (inputs.forecast_members > 0)
     status.addf("Forecast", "%d members every %.3g s%s", inputs.forecast_members, inputs.forecast_interval,
                 inputs.forecast_is_short ? ": the machine is too slow for what is configured" : "");
@@ -185,6 +202,43 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
     status.addf("Refused on " + topic, "%ld, last: %s", refusal.count, refusal.last_reason.c_str());
   for (const auto& [what, failure] : inputs.failures)
     status.addf("Failures of " + what, "%ld, last: %s", failure.count, failure.last_reason.c_str());
+}
+
+void diagnoseTiming(const DiagnosticInputs& inputs, const PublishingReport& publishing,
+                    diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  constexpr double MANY = 0.05;  // of the cycles
+  status.summary(Level::OK, "on time");
+  if (inputs.late_share > MANY)
+    status.summaryf(Level::WARN, "%.0f %% of the last cycles came late or not at all", 100.0 * inputs.late_share);
+  if (!inputs.realtime_refusal.empty())
+    status.mergeSummary(Level::WARN, "monitor.realtime: " + inputs.realtime_refusal);
+  if (!inputs.state_file_problem.empty())
+    status.mergeSummary(Level::WARN, "monitor.state_file: " + inputs.state_file_problem);
+  if (inputs.lost_messages > 0)
+    status.mergeSummary(Level::WARN, "messages were lost for want of room");
+  const auto add = [&](const char* name, const LatencyStatistics& latency)
+  {
+    status.addf(name, "p50 %.3f, p99 %.3f, max %.3f ms", 1e3 * latency.quantile(0.5), 1e3 * latency.quantile(0.99),
+                1e3 * latency.most());
+  };
+  status.addf("Cycles", "%ld, %ld missed", inputs.cycles, inputs.missed);
+  add("Wake-up after its time", inputs.lateness);
+  add("Input to output", publishing.input_to_output);
+  status.add("Outputs without markers for want of time", publishing.shed_markers);
+  status.add("Outputs left out for want of time", publishing.shed_outputs);
+  status.add("Messages lost for want of room", inputs.lost_messages);
+}
+
+double nearnessOfResonance(const monitor::VibrationReport& report)
+{
+  if (report.modes.empty() || !(report.encounter_frequency > 0.0))
+    return std::numeric_limits<double>::quiet_NaN();
+  double nearest = 0.0;
+  for (const core::Mode& mode : report.modes)
+    nearest = std::max(nearest, 1.0 - std::abs(mode.frequency / report.encounter_frequency - 1.0));
+  return nearest;
 }
 
 void diagnoseVibration(const monitor::VibrationReport& report, diagnostic_updater::DiagnosticStatusWrapper& status)

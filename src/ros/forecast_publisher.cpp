@@ -10,6 +10,7 @@ namespace
 {
 constexpr int OUTPUT_QUEUE = 10;
 constexpr int SERVICE_THREADS = 1;
+constexpr double LONGEST_VALID = 15.0;             // of what a forecast says [s]
 constexpr double SHORTEST = 1.0, LONGEST = 300.0;  // horizons that can be asked for [s]
 constexpr double LARGEST_SPEED = 50.0, LARGEST_TURN = 1.0, LARGEST_PAYOUT = 20.0;  // [m/s, rad/s, m/s]
 
@@ -115,8 +116,20 @@ std_msgs::Header ForecastPublisher::headerOf(double t) const
   return header;
 }
 
+double ForecastPublisher::probability(double t) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool is_of_now = t >= probability_t_ && t - probability_t_ < LONGEST_VALID;
+  return is_of_now ? probability_ : std::nan("");
+}
+
 void ForecastPublisher::publish(const monitor::TetherForecast& forecast)
 {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    probability_t_ = forecast.t;
+    probability_ = forecast.members > 0 ? forecast.probability_over_tension : std::nan("");
+  }
   if (publisher_)
     publisher_.publish(toMessage(headerOf(forecast.t), forecast));
 }

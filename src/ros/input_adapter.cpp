@@ -1,7 +1,5 @@
 #include "tether_monitor/ros/input_adapter.h"
 
-#include <tf2/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +64,7 @@ Result outOfBounds(const core::Obstacle& obstacle)
 }  // namespace
 
 InputAdapter::InputAdapter(monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms)
-  : estimator_(estimator), transforms_(transforms)
+  : estimator_(estimator), headers_(estimator.config(), transforms)
 {
 }
 
@@ -87,61 +85,6 @@ Result InputAdapter::noted(const Result& error, const ros::Time& now)
   return error;
 }
 
-Result InputAdapter::checkStamp(const std_msgs::Header& header, const ros::Time& now) const
-{
-  if (header.stamp.isZero())
-    return "header.stamp is zero";
-  const double ahead = secondsBetween(header.stamp, now);
-  if (ahead > std::min(estimator_.config().pose_timeout, mostOf(Field::FUTURE)))
-    return "header.stamp is " + std::to_string(ahead) + " s in the future";
-  if (-ahead > mostOf(Field::PAST))
-    return "header.stamp is " + std::to_string(-ahead) + " s in the past";
-  return std::nullopt;
-}
-
-Result InputAdapter::checkHeader(const std_msgs::Header& header, const ros::Time& now,
-                                 Eigen::Isometry3d& to_world) const
-{
-  const Result stamp = checkStamp(header, now);
-  return stamp ? stamp : transformToWorld(header, to_world);
-}
-
-geometry_msgs::TransformStamped InputAdapter::lookUp(const std::string& world,
-                                                     const std_msgs::Header& header) const
-{
-  try
-  {
-    return transforms_.lookupTransform(world, header.frame_id, header.stamp);
-  }
-  catch (const tf2::ExtrapolationException&)
-  {
-    // A moving frame is usually published a little after the poses in it.
-    const geometry_msgs::TransformStamped last = transforms_.lookupTransform(world, header.frame_id, ros::Time());
-    if (std::abs(secondsBetween(header.stamp, last.header.stamp)) > estimator_.config().pose_timeout)
-      throw;
-    return last;
-  }
-}
-
-Result InputAdapter::transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const
-{
-  const std::string& world = estimator_.config().world_frame;
-  transform.setIdentity();
-  if (header.frame_id == world)
-    return std::nullopt;
-  if (header.frame_id.empty())
-    return "header.frame_id is empty (expected '" + world + "')";
-  try
-  {
-    transform = isometry(lookUp(world, header).transform);
-    return std::nullopt;
-  }
-  catch (const tf2::TransformException& error)
-  {
-    return "frame '" + header.frame_id + "' cannot be transformed to '" + world + "': " + error.what();
-  }
-}
-
 Result InputAdapter::accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
 {
   return noted(tryPose(body, message, now), now);
@@ -150,7 +93,7 @@ Result InputAdapter::accept(Body body, const geometry_msgs::PoseStamped& message
 Result InputAdapter::tryPose(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
 {
   Eigen::Isometry3d to_world;
-  if (const Result error = checkHeader(message.header, now, to_world))
+  if (const Result error = headers_.check(message.header, now, to_world))
     return error;
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
@@ -166,8 +109,8 @@ Result InputAdapter::bodyAxesToWorld(Body body, const std_msgs::Header& header, 
                                      Eigen::Isometry3d& to_world) const
 {
   if (header.frame_id != config(body).frame)
-    return checkHeader(header, now, to_world);
-  if (const Result error = checkStamp(header, now))
+    return headers_.check(header, now, to_world);
+  if (const Result error = headers_.checkStamp(header, now))
     return error;
   to_world.setIdentity();
   if (config(body).twist_frame == monitor::TwistFrame::WORLD)
@@ -206,7 +149,7 @@ Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, c
 {
   const auto& twist = message.twist.twist;
   Eigen::Isometry3d to_world;
-  if (const Result error = checkHeader(message.header, now, to_world))
+  if (const Result error = headers_.check(message.header, now, to_world))
     return error;
   monitor::PoseMeasurement pose;
   pose.t = time_.seconds(message.header.stamp);
@@ -251,7 +194,7 @@ Result InputAdapter::tryLength(double t, double length, double rate)
 
 Result InputAdapter::accept(const Payout& message, const ros::Time& now)
 {
-  Result error = checkStamp(message.header, now);
+  Result error = headers_.checkStamp(message.header, now);
   if (!error)
     error = outOfBounds(Field::LENGTH, message.length);
   if (!error)
@@ -278,6 +221,44 @@ Result InputAdapter::tryTurns(const std_msgs::Float64& message, const ros::Time&
   return tryLength(time_.seconds(now), drum.paidOut(message.data), monitor::TetherEstimate::NONE);
 }
 
+Result InputAdapter::acceptTetherTurns(const std_msgs::Float64& message, const ros::Time& now)
+{
+  return noted(estimator_.setTurns(message.data) ? std::nullopt : Result("turns are not finite"), now);
+}
+
+Result InputAdapter::accept(const nav_msgs::Path& message, const ros::Time& now)
+{
+  return noted(tryPlan(message), now);
+}
+
+// Its poses are stamped ahead; the transform of their frame is that of now.
+Result InputAdapter::tryPlan(const nav_msgs::Path& message)
+{
+  Eigen::Isometry3d to_world;
+  if (const Result error = headers_.transformToWorld(message.header, to_world))
+    return error;
+  std::vector<monitor::VesselPlan::Point> points;
+  for (const geometry_msgs::PoseStamped& pose : message.poses)
+  {
+    const core::Vector3 position = to_world * vector(pose.pose.position);
+    if (const Result error = outOfBounds(Field::POSITION, position))
+      return error;
+    points.push_back({time_.seconds(pose.header.stamp), position});
+  }
+  const std::string problem = estimator_.setPlan(points);
+  return problem.empty() ? std::nullopt : Result(problem);
+}
+
+Result InputAdapter::acceptPayoutPlan(const Payout& message, const ros::Time& now)
+{
+  Result error = outOfBounds(Field::PAYOUT_RATE, message.rate);
+  if (!error && !std::isnan(message.length))
+    error = outOfBounds(Field::LENGTH, message.length);
+  if (!error && !estimator_.setPayoutPlan({time_.seconds(message.header.stamp), message.length, message.rate}))
+    error = "length = " + std::to_string(message.length) + " (must be >= 0 m, or NaN)";
+  return noted(error, now);
+}
+
 Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Time& now)
 {
   if (!estimator_.simulation().model.environment().hasSeabed())
@@ -291,7 +272,7 @@ Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Ti
 
 Result InputAdapter::accept(const TensionMeasurement& message, const ros::Time& now)
 {
-  Result error = checkStamp(message.header, now);
+  Result error = headers_.checkStamp(message.header, now);
   if (!error)
     error = outOfBounds(Field::FORCE, message.tension);
   if (!error)
@@ -302,7 +283,7 @@ Result InputAdapter::accept(const TensionMeasurement& message, const ros::Time& 
 Result InputAdapter::accept(const geometry_msgs::Vector3Stamped& message, const ros::Time& now)
 {
   Eigen::Isometry3d to_world;
-  Result error = checkHeader(message.header, now, to_world);
+  Result error = headers_.check(message.header, now, to_world);
   if (!error)
     error = resultOf(
         estimator_.addDirection(time_.seconds(message.header.stamp), to_world.linear() * vector(message.vector)));
@@ -316,7 +297,7 @@ Result InputAdapter::accept(const geometry_msgs::WrenchStamped& message, const r
 
 Result InputAdapter::tryThrust(const geometry_msgs::WrenchStamped& message, const ros::Time& now)
 {
-  if (const Result error = checkStamp(message.header, now))
+  if (const Result error = headers_.checkStamp(message.header, now))
     return error;
   if (!estimator_.vehicle().takesThrust())
     return "thrust on a vehicle that is not simulated (vehicle.mode is tracked)";
@@ -343,7 +324,7 @@ Result InputAdapter::accept(const ObstacleArray& message, const ros::Time& now)
 Result InputAdapter::tryObstacles(const ObstacleArray& message, const ros::Time& now)
 {
   Eigen::Isometry3d to_world;
-  if (const Result error = checkHeader(message.header, now, to_world))
+  if (const Result error = headers_.check(message.header, now, to_world))
     return error;
   if (const Result error = outOfBounds(Field::OBSTACLES, message.obstacles.size()))
     return error;
@@ -368,7 +349,7 @@ Result InputAdapter::accept(const CurrentProfile& message, const ros::Time& now)
 Result InputAdapter::tryCurrent(const CurrentProfile& message, const ros::Time& now)
 {
   Eigen::Isometry3d to_world;
-  if (const Result error = checkHeader(message.header, now, to_world))
+  if (const Result error = headers_.check(message.header, now, to_world))
     return error;
   if (message.depth.size() != message.velocity.size())
     return "depth has " + std::to_string(message.depth.size()) + " entries, velocity " +

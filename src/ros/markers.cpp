@@ -145,7 +145,7 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   for (const monitor::Alarm& alarm : alarms.alarms())
     if (alarm.isAnnunciated())
     {
-      m.text += "\n" + alarm.definition().name + ": " + alarmStateText(alarm.state());
+      m.text += "\n" + alarm.definition().name + ": " + describe(alarm.state());
       m.color = colour(1.0, 0.35, 0.3);
     }
   return m;

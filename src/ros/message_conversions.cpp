@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "tether_monitor/monitor/measurements/rejection.h"
-#include "tether_monitor/ros/alarm_text.h"
 #include "tether_monitor/ros/geometry_conversions.h"
 
 namespace tether_monitor
@@ -13,9 +12,6 @@ static_assert(static_cast<int>(monitor::Status::INVALID) == TetherState::STATUS_
 static_assert(static_cast<int>(monitor::Reason::IMPLAUSIBLE) == TetherState::REASON_IMPLAUSIBLE,
               "reason codes differ");
 static_assert(static_cast<int>(monitor::Status::STOWED) == TetherState::STATUS_STOWED, "status codes differ");
-static_assert(static_cast<int>(monitor::AlarmState::RETURNED_UNACKNOWLEDGED) == Alarm::RETURNED_UNACKNOWLEDGED,
-              "alarm state codes differ");
-static_assert(static_cast<int>(monitor::Severity::CRITICAL) == Alarm::CRITICAL, "severity codes differ");
 
 namespace
 {
@@ -159,6 +155,42 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
   return message;
 }
 
+WrenchWithCovarianceStamped bodyWrenchMessage(const std_msgs::Header& header, const monitor::TetherEstimate& e,
+                                              const std::optional<Eigen::Quaterniond>& attitude,
+                                              const monitor::BodyConfig& body)
+{
+  WrenchWithCovarianceStamped message;
+  message.header = header;
+  message.covariance[0] = -1.0;
+  const core::Vector3 none = core::Vector3::Constant(monitor::TetherEstimate::NONE);
+  message.wrench.force = message.wrench.torque = vectorMessage(none);
+  if (!e.has_stations || !attitude)
+    return message;
+  const Eigen::Quaterniond to_body = attitude->conjugate();
+  core::Vector3 force = to_body * e.stations.ends.vehicle, lever = body.attachment;
+  core::Vector3 torque = to_body * e.stations.ends.vehicle_moment + lever.cross(force);
+  if (body.body_axes == monitor::BodyAxes::FRD)
+  {
+    force = monitor::turnedAboutX(force);
+    torque = monitor::turnedAboutX(torque);
+    lever = monitor::turnedAboutX(lever);
+  }
+  message.wrench.force = vectorMessage(force);
+  message.wrench.torque = vectorMessage(torque);
+  if (!std::isfinite(e.vehicle_tension_stddev))
+    return message;
+  core::Matrix3 cross;
+  cross << 0.0, -lever.z(), lever.y(), lever.z(), 0.0, -lever.x(), -lever.y(), lever.x(), 0.0;
+  Eigen::Matrix<double, 6, 3> effect;
+  effect << core::Matrix3::Identity(), cross;
+  const Eigen::Matrix<double, 6, 6> covariance =
+      std::pow(e.vehicle_tension_stddev, 2) * effect * effect.transpose();
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      message.covariance[6 * i + j] = covariance(i, j);
+  return message;
+}
+
 ParameterEstimate toMessage(const std_msgs::Header& header, const std::vector<monitor::ParameterEstimate>& report)
 {
   ParameterEstimate message;
@@ -172,25 +204,6 @@ ParameterEstimate toMessage(const std_msgs::Header& header, const std::vector<mo
     message.configured_stddev.push_back(entry.configured_stddev);
   }
   return message;
-}
-
-AlarmArray toMessage(const monitor::AlarmSet& set, const TimeOrigin& time)
-{
-  AlarmArray array;
-  for (const monitor::Alarm& alarm : set.alarms())
-  {
-    Alarm message;
-    message.name = alarm.definition().name;
-    message.state = static_cast<uint8_t>(alarm.state());
-    message.severity = static_cast<uint8_t>(alarm.definition().severity);
-    message.value = alarm.value();
-    message.limit = alarm.definition().limit;
-    message.s = alarm.s();
-    message.since = time.stamp(alarm.since());
-    message.text = alarmText(alarm, time);
-    array.alarms.push_back(message);
-  }
-  return array;
 }
 
 }  // namespace tether_monitor

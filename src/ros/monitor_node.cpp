@@ -1,71 +1,123 @@
 #include "tether_monitor/ros/monitor_node.h"
 
-#include <std_msgs/Bool.h>
-#include <visualization_msgs/MarkerArray.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/ros/input_topics.h"
 #include "tether_monitor/ros/markers.h"
-#include "tether_monitor/ros/message_conversions.h"
 #include "tether_monitor/ros/parameter_server.h"
-#include "tether_monitor/ros/transform_input.h"
 
 namespace tether_monitor
 {
 namespace
 {
-constexpr double ALARM_PERIOD = 1.0;        // [s]
-constexpr double PARAMETER_PERIOD = 1.0;    // [s]
-constexpr double DIAGNOSTIC_PERIOD = 1.0;   // [s], wall clock: diagnostics also tell of a clock that stands still
-constexpr double VIBRATION_PERIOD = 10.0;   // [s], wall clock: natural modes take milliseconds
-constexpr double REFUSAL_LOG_PERIOD = 5.0;  // [s]
+constexpr double DIAGNOSTIC_PERIOD = 1.0;  // [s], wall clock: diagnostics also tell of a clock that stands still
+constexpr double VIBRATION_PERIOD = 10.0;  // [s], wall clock: natural modes take milliseconds
 constexpr double SHORTEST_RESET_INTERVAL = 1.0;  // [s], wall clock: a start takes some time
 constexpr int TRANSFORM_QUEUE = 100;
-constexpr std::size_t MOST_EARLY = 2000;
-constexpr int OUTPUT_QUEUE = 10;
 }  // namespace
 
 MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
   : nh_(nh),
     private_nh_(private_nh),
-    estimator_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
-    adapter_(estimator_, transforms_),
+    runner_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
+    keeper_(runner_.config().runtime.state_file),
     updater_(nh, private_nh, private_nh.getNamespace()),
-    forecast_(private_nh, estimator_.config())
+    publisher_(nh, private_nh, runner_.config(), runner_.config().vehicle_mode == monitor::VehicleMode::OBSERVED,
+               runner_.config().vehicle_mode != monitor::VehicleMode::TRACKED,
+               [this](const std_msgs::Header& header)
+               {
+                 return runner_.access([&](const monitor::TetherEstimator& estimator, const DiagnosticInputs&)
+                                       { return markers(header, estimator); });
+               }),
+    publishing_(publisher_),
+    forecast_(private_nh, runner_.config()),
+    cycles_(1.0 / runner_.config().rate, ros::Time::isSimTime(), runner_.config().runtime,
+            [this](double lateness) { cycle(lateness); })
 {
-  estimator_.setBackgroundStart(true);
-  const monitor::Config& config = estimator_.config();
-  state_pub_ = private_nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
-  vessel_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", OUTPUT_QUEUE);
-  vehicle_force_pub_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vehicle_end/force", OUTPUT_QUEUE);
-  over_tension_pub_ = private_nh_.advertise<std_msgs::Bool>("over_tension", OUTPUT_QUEUE);
-  alarms_pub_ = private_nh_.advertise<AlarmArray>("alarms", OUTPUT_QUEUE, true);
-  markers_pub_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", OUTPUT_QUEUE);
-  contacts_pub_ = private_nh_.advertise<ContactArray>("contacts", OUTPUT_QUEUE);
-  if (estimator_.vehicle().ensemble())
-    parameters_pub_ = private_nh_.advertise<ParameterEstimate>("parameters", OUTPUT_QUEUE);
-  if (estimator_.vehicle().takesThrust())
-    vehicle_pub_ = private_nh_.advertise<nav_msgs::Odometry>("vehicle/estimate", OUTPUT_QUEUE);
-  reset_server_ = private_nh_.advertiseService("reset", &MonitorNode::reset, this);
-  acknowledge_server_ = private_nh_.advertiseService("acknowledge", &MonitorNode::acknowledge, this);
+  const monitor::Config& config = runner_.config();
+  if (std::optional<KeptState> kept = keeper_.read())
+    runner_.adopt(std::move(*kept));
+  advertiseServices();
+  addDiagnostics();
+  subscribe();
+  if (ros::Time::isSimTime())
+    tick_timer_ =
+        nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { cycles_.notify(); });
+  cycles_.start();
+  for (const std::string& value : monitor::suspiciousValues(config))
+    ROS_WARN("suspicious: %s", value.c_str());
+  if (!cycles_.refusal().empty())
+    ROS_WARN("monitor.realtime: %s; going on without", cycles_.refusal().c_str());
+  const std::string elements =
+      config.accuracy ? "as many elements as it needs" : std::to_string(config.elements) + " elements";
+  ROS_INFO("%s watches a tether of %g m in %s at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
+           config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
+}
 
-  updater_.setHardwareID(private_nh_.getNamespace());
-  updater_.add("tether", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
-               { diagnose(estimator_, diagnostic_inputs_, status); });
-  updater_.add("vibration", [this](diagnostic_updater::DiagnosticStatusWrapper& status)
-               { diagnoseVibration(diagnostic_inputs_.vibration, status); });
-
+void MonitorNode::subscribe()
+{
   for (const InputTopic& topic : inputTopics())
-    subscribers_.push_back(
-        topic.subscribe(nh_, [this, &topic](const InputMessage& message) { receive(topic, message); }));
+    subscribers_.push_back(topic.subscribe(nh_,
+                                           [this, &topic](const InputMessage& message)
+                                           {
+                                             ReceivedMessage received;
+                                             received.topic = &topic;
+                                             received.message = message;
+                                             received.received = ros::Time::now();
+                                             received.received_wall = ros::WallTime::now();
+                                             runner_.receive(received);
+                                           }));
   subscribeToTransforms("/tf", false);
   subscribeToTransforms("/tf_static", true);
+}
 
-  tick_timer_ = nh_.createTimer(ros::Duration(1.0 / config.rate), [this](const ros::TimerEvent&) { tick(); });
+void MonitorNode::subscribeToTransforms(const std::string& topic, bool is_static)
+{
+  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> receive =
+      [this, is_static](const tf2_msgs::TFMessageConstPtr& message)
+  {
+    ReceivedMessage received;
+    received.transforms = message;
+    received.are_static = is_static;
+    received.received = ros::Time::now();
+    runner_.receive(received);
+  };
+  subscribers_.push_back(nh_.subscribe<tf2_msgs::TFMessage>(topic, TRANSFORM_QUEUE, receive));
+}
+
+void MonitorNode::advertiseServices()
+{
+  services_.push_back(private_nh_.advertiseService("reset", &MonitorNode::reset, this));
+  services_.push_back(private_nh_.advertiseService("acknowledge", &MonitorNode::acknowledge, this));
+  services_.push_back(private_nh_.advertiseService("alarm_action", &MonitorNode::actOnAlarm, this));
+  services_.push_back(private_nh_.advertiseService("alarm_log", &MonitorNode::listEvents, this));
+}
+
+void MonitorNode::addDiagnostics()
+{
+  updater_.setHardwareID(private_nh_.getNamespace());
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+  updater_.add("tether",
+               [this](Status& status)
+               {
+                 runner_.access([&](const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs)
+                                { diagnose(estimator, inputs, status); });
+               });
+  updater_.add("vibration",
+               [this](Status& status)
+               {
+                 runner_.access([&](const monitor::TetherEstimator&, const DiagnosticInputs& inputs)
+                                { diagnoseVibration(inputs.vibration, status); });
+               });
+  updater_.add("timing",
+               [this](Status& status)
+               {
+                 const DiagnosticInputs inputs = runner_.access(
+                     [](const monitor::TetherEstimator&, const DiagnosticInputs& now) { return now; });
+                 diagnoseTiming(inputs, publishing_.report(), status);
+               });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
                                            [this](const ros::WallTimerEvent&)
                                            {
@@ -73,258 +125,77 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                                              updateSurroundings();
                                              updater_.force_update();
                                            });
-  for (const std::string& value : monitor::suspiciousValues(config))
-    ROS_WARN("suspicious: %s", value.c_str());
-  const std::string elements =
-      config.accuracy ? "as many elements as it needs" : std::to_string(config.elements) + " elements";
-  ROS_INFO("%s watches a tether of %g m in %s at %g Hz in frame '%s'", private_nh_.getNamespace().c_str(),
-           config.tether.length, elements.c_str(), config.rate, config.world_frame.c_str());
 }
 
-// Nothing that a message or a cycle meets ends the node.
-template <typename Work>
-bool MonitorNode::guarded(const std::string& what, const Work& work)
-{
-  std::string why = "an unknown exception";
-  try
-  {
-    work();
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    why = error.what();
-  }
-  catch (...)
-  {
-  }
-  RefusalCount& failure = diagnostic_inputs_.failures[what];
-  ++failure.count;
-  failure.last_reason = why;
-  ROS_ERROR_THROTTLE(REFUSAL_LOG_PERIOD, "%s failed: %s", what.c_str(), why.c_str());
-  return false;
-}
-
-void MonitorNode::subscribeToTransforms(const std::string& topic, bool is_static)
-{
-  const boost::function<void(const tf2_msgs::TFMessage&)> receive =
-      [this, topic, is_static](const tf2_msgs::TFMessage& message)
-  {
-    guarded(topic,
-            [&]
-            {
-              if (const auto error = addTransforms(message, is_static, ros::Time::now(), transforms_))
-                noteRefusal(topic, *error);
-            });
-  };
-  subscribers_.push_back(nh_.subscribe<tf2_msgs::TFMessage>(topic, TRANSFORM_QUEUE, receive));
-}
-
-void MonitorNode::receive(const InputTopic& topic, const InputMessage& message)
+void MonitorNode::cycle(double lateness)
 {
   const ros::Time now = ros::Time::now();
-  if (now.isZero())
-    return noteRefusal(topic.name, "simulated time has not begun: nothing on /clock yet");
-  guarded(topic.name,
-          [&]
-          {
-            ensureTimeBase(now);
-            noteStatistics(topic, message, now);
-            acceptEarly(now);
-            const double ahead = message.stamp ? secondsBetween(*message.stamp, now) : 0.0;
-            const bool waits = estimator_.vehicle().acceptsLateMeasurements() && ahead > 0.0 &&
-                               ahead <= mostOf(Field::FUTURE) && early_.size() < MOST_EARLY;
-            if (waits)
-              early_.push_back({&topic, message});
-            else
-              accept(topic, message, now);
-          });
-}
-
-void MonitorNode::accept(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
-{
-  if (const std::optional<InputError> error = message.accept(adapter_, now))
-    noteRefusal(topic.name, *error);
-}
-
-// In order of their stamps, as a replay has them.
-void MonitorNode::acceptEarly(const ros::Time& now)
-{
-  const auto isDue = [&](const EarlyMessage& early) { return *early.message.stamp <= now; };
-  const auto later = std::stable_partition(early_.begin(), early_.end(), isDue);
-  std::stable_sort(early_.begin(), later,
-                   [](const EarlyMessage& a, const EarlyMessage& b)
-                   { return *a.message.stamp < *b.message.stamp; });
-  for (auto early = early_.begin(); early != later; ++early)
-    guarded(early->topic->name, [&] { accept(*early->topic, early->message, now); });
-  early_.erase(early_.begin(), later);
-}
-
-void MonitorNode::noteStatistics(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
-{
-  const double offset = message.stamp ? secondsBetween(*message.stamp, now) : std::nan(""), t = time_.seconds(now);
-  InputStatistics& statistics = diagnostic_inputs_.statistics[topic.name];
-  statistics.add(t, offset, message.publisher);
-  if (topic.is_pose && statistics.publisherCount(t) > 1)
-    estimator_.noteImplausible(
-        topic.stream == InputStream::VESSEL ? monitor::Subject::VESSEL : monitor::Subject::VEHICLE,
-        monitor::Implausibility::TWO_SOURCES, t);
-}
-
-void MonitorNode::noteRefusal(const std::string& topic, const InputError& why)
-{
-  RefusalCount& refusal = diagnostic_inputs_.refusals[topic];
-  ++refusal.count;
-  refusal.last_reason = why;
-  ROS_WARN_THROTTLE(REFUSAL_LOG_PERIOD, "refused a message on %s: %s", topic.c_str(), why.c_str());
-}
-
-void MonitorNode::ensureTimeBase(const ros::Time& now)
-{
-  if (has_time_base_)
+  CycleOutput& output = publishing_.next();
+  if (!runner_.cycle(now, lateness, output))
     return;
-  has_time_base_ = true;
-  time_ = TimeOrigin(now);
-  diagnostic_inputs_.time = time_;
-  adapter_.setTimeBase(time_);
-  estimator_.setEpoch(time_.epoch());
-}
-
-void MonitorNode::tick()
-{
-  const ros::Time now = ros::Time::now();
-  if (now.isZero() || now == last_tick_)
+  const double t = output.estimate.time;
+  const long last_event = output.alarms ? output.alarms->log().last() : kept_event_;
+  publishing_.submit();
+  runner_.access(
+      [&](const monitor::TetherEstimator& estimator, DiagnosticInputs& inputs)
+      {
+        forecast_.offer(estimator, inputs.time);
+        inputs.forecast_probability = forecast_.probability(t);
+      });
+  if (!keeper_.isDue(t) && last_event == kept_event_)
     return;
-  if (guarded("a cycle", [&] { step(now); }))
+  kept_event_ = last_event;
+  if (!keeper_.isOn())
     return;
-  // What is left of it may be anything: better no estimate than that.
-  guarded("a reset", [&] { estimator_.reset(); });
-  guarded("publishing", [&] { publish(now, 0.0); });
+  if (std::optional<KeptState> state = runner_.keep())
+    keeper_.submit(t, std::move(*state));
 }
 
-void MonitorNode::step(const ros::Time& now)
-{
-  ensureTimeBase(now);
-  acceptEarly(now);
-  const ros::WallTime began = ros::WallTime::now();
-  const monitor::Status before = estimator_.estimate().status;
-  const monitor::Reason reason_before = estimator_.estimate().reason;
-  const monitor::TetherEstimate& e = estimator_.tick(time_.seconds(now));
-  if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_tick_)
-  {
-    transforms_.clear();
-    early_.clear();
-    diagnostic_inputs_.statistics.clear();
-    last_alarms_ = ros::Time();
-  }
-  const double since_last = secondsBetween(now, last_tick_);
-  if (!last_tick_.isZero() && since_last > 0.0)
-    diagnostic_inputs_.missed += std::max(0L, std::lround(since_last * estimator_.config().rate) - 1);
-  last_tick_ = now;
-  const double step_time = (ros::WallTime::now() - began).toSec();
-  diagnostic_inputs_.worst_step_time = std::max(diagnostic_inputs_.worst_step_time, step_time);
-  ++diagnostic_inputs_.ticks;
-  if (e.status != before || e.reason != reason_before)
-    ROS_INFO("%s%s%s", describe(e.status), e.reason == monitor::Reason::NONE ? "" : ": ",
-             e.reason == monitor::Reason::NONE ? "" : advice(e.reason));
-  publish(now, step_time);
-  forecast_.offer(estimator_, time_);
-}
-
-void MonitorNode::publish(const ros::Time& stamp, double step_time)
-{
-  const monitor::TetherEstimate& e = estimator_.estimate();
-  std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = estimator_.config().world_frame;
-
-  // The word that a control loop waits for goes first.
-  std_msgs::Bool over_tension;
-  over_tension.data = estimator_.overTension();
-  over_tension_pub_.publish(over_tension);
-
-  toMessage(e, state_message_);
-  state_message_.header = header;
-  state_message_.step_time = step_time;
-  state_pub_.publish(state_message_);
-  vessel_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vessel, e.stations.ends.vessel_moment));
-  vehicle_force_pub_.publish(wrenchMessage(header, e, e.stations.ends.vehicle, e.stations.ends.vehicle_moment));
-  publishVehicle(header);
-  publishContacts(header);
-  publishParameters(header);
-  const bool due = secondsBetween(stamp, last_alarms_) >= ALARM_PERIOD || stamp < last_alarms_;
-  if (estimator_.alarmsChanged() || acknowledged_ || due)
-    publishAlarms(header);
-  if (markers_pub_.getNumSubscribers() > 0)
-    markers_pub_.publish(markers(header, estimator_));
-}
-
-void MonitorNode::publishVehicle(const std_msgs::Header& header)
-{
-  const monitor::TetherEstimate& e = estimator_.estimate();
-  const monitor::BodyConfig& body = estimator_.config().vehicle;
-  if (e.has_vehicle)
-    vehicle_pub_.publish(vehicleMessage(header, body, e));
-}
-
-void MonitorNode::publishParameters(const std_msgs::Header& header)
-{
-  const double since_last = secondsBetween(header.stamp, last_parameters_);
-  if (!parameters_pub_ || !estimator_.estimate().has_stations ||
-      (since_last >= 0.0 && since_last < PARAMETER_PERIOD))
-    return;
-  last_parameters_ = header.stamp;
-  parameters_pub_.publish(toMessage(header, estimator_.parameters()));
-}
-
-// While something is touched, and once when nothing is any more.
-void MonitorNode::publishContacts(const std_msgs::Header& header)
-{
-  ContactArray contacts =
-      contactsMessage(estimator_.estimate(), estimator_.simulation().model.environment().obstacles());
-  const bool has_contact = !contacts.contacts.empty();
-  if (!has_contact && !had_contact_)
-    return;
-  had_contact_ = has_contact;
-  contacts.header = header;
-  contacts_pub_.publish(contacts);
-}
-
+// The modes are found while the cycles go on.
 void MonitorNode::updateVibration()
 {
   const ros::WallTime now = ros::WallTime::now();
   if ((now - last_vibration_).toSec() < VIBRATION_PERIOD)
     return;
-  if (!estimator_.isRunning() || !estimator_.estimate().has_stations)
+  struct Tether
   {
-    diagnostic_inputs_.vibration = monitor::VibrationReport();
-    return;
-  }
-  diagnostic_inputs_.vibration = monitor::reportVibration(
-      estimator_.simulation().model, estimator_.simulation().state, estimator_.vortexShedding());
-  if (!diagnostic_inputs_.vibration.modes.empty())
+    core::CableModel model;
+    core::CableState state;
+    core::VortexShedding shedding;
+  };
+  const auto tether = runner_.access(
+      [](const monitor::TetherEstimator& estimator, const DiagnosticInputs&) -> std::optional<Tether>
+      {
+        if (!estimator.isRunning() || !estimator.estimate().has_stations)
+          return std::nullopt;
+        return Tether{estimator.simulation().model, estimator.simulation().state, estimator.vortexShedding()};
+      });
+  monitor::VibrationReport report;
+  if (tether)
+    report = monitor::reportVibration(tether->model, tether->state, tether->shedding);
+  if (!report.modes.empty())
     last_vibration_ = now;
+  runner_.access([&](const monitor::TetherEstimator&, DiagnosticInputs& inputs) { inputs.vibration = report; });
 }
 
 void MonitorNode::updateSurroundings()
 {
   const ros::Time now = ros::Time::now();
-  diagnostic_inputs_.clock_stands = now == last_seen_clock_;
-  last_seen_clock_ = now;
-  diagnostic_inputs_.master_is_lost = master_watch_.isLost();
   const ForecastBudget budget = forecast_.budget();
-  diagnostic_inputs_.forecast_members = estimator_.config().forecast.rate > 0.0 ? budget.members() : 0;
-  diagnostic_inputs_.forecast_interval = budget.interval();
-  diagnostic_inputs_.forecast_is_short = budget.isShort();
-}
-
-void MonitorNode::publishAlarms(const std_msgs::Header& header)
-{
-  AlarmArray array = toMessage(estimator_.alarms(), time_);
-  array.header = header;
-  alarms_pub_.publish(array);
-  last_alarms_ = header.stamp;
-  acknowledged_ = false;
+  const bool master_is_lost = master_watch_.isLost();
+  const std::string problem = keeper_.problem();
+  runner_.access(
+      [&](const monitor::TetherEstimator& estimator, DiagnosticInputs& inputs)
+      {
+        inputs.clock_stands = now == last_seen_clock_;
+        inputs.master_is_lost = master_is_lost;
+        inputs.forecast_members = estimator.config().forecast.rate > 0.0 ? budget.members() : 0;
+        inputs.forecast_interval = budget.interval();
+        inputs.forecast_is_short = budget.isShort();
+        inputs.realtime_refusal = cycles_.refusal();
+        inputs.state_file_problem = problem;
+      });
+  last_seen_clock_ = now;
 }
 
 bool MonitorNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
@@ -337,7 +208,7 @@ bool MonitorNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response
     return true;
   }
   last_reset_ = now;
-  estimator_.reset();
+  runner_.access([](monitor::TetherEstimator& estimator, const DiagnosticInputs&) { estimator.reset(); });
   response.success = true;
   response.message = "motion and measurements forgotten; settling anew at the next poses";
   ROS_INFO("reset: %s", response.message.c_str());
@@ -346,11 +217,38 @@ bool MonitorNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response
 
 bool MonitorNode::acknowledge(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
 {
-  const int changed = estimator_.acknowledge();
-  acknowledged_ = true;
+  const int changed = runner_.access([](monitor::TetherEstimator& estimator, const DiagnosticInputs&)
+                                     { return estimator.acknowledge(); });
   response.success = true;
   response.message = std::to_string(changed) + " alarm(s) acknowledged";
   ROS_INFO("acknowledge: %s", response.message.c_str());
+  return true;
+}
+
+bool MonitorNode::actOnAlarm(AlarmAction::Request& request, AlarmAction::Response& response)
+{
+  const std::optional<monitor::AlarmAction> action = monitor::alarmAction(request.action);
+  response.message =
+      action
+          ? runner_.access([&](monitor::TetherEstimator& estimator, const DiagnosticInputs&)
+                           { return estimator.actOnAlarm(request.name, *action, request.seconds); })
+          : "action '" + request.action +
+                "' (must be acknowledge, reset, shelve, unshelve, suppress_by_design, out_of_service or return)";
+  response.success = response.message.empty();
+  ROS_INFO("alarm_action: %s %s%s%s", request.action.c_str(), request.name.c_str(),
+           response.success ? "" : ": refused, ", response.message.c_str());
+  return true;
+}
+
+bool MonitorNode::listEvents(AlarmLog::Request& request, AlarmLog::Response& response)
+{
+  const monitor::AlarmSet alarms = runner_.access(
+      [](const monitor::TetherEstimator& estimator, const DiagnosticInputs&) { return estimator.alarms(); });
+  const TimeOrigin time = runner_.timeOrigin();
+  const auto& events = alarms.log().events();
+  for (std::size_t i = 0; i < events.size(); ++i)
+    if (events[i].number > static_cast<long>(request.after))
+      response.events.push_back(toMessage(events[i], alarms, time));
   return true;
 }
 

@@ -85,8 +85,7 @@ class AlarmsFile
   std::vector<monitor::AlarmState> last_;
 };
 
-/// The word of the message constant: "RETURNED_UNACKNOWLEDGED", "WARNING".
-const char* describe(monitor::AlarmState state);
+/// The word of the message constant: "WARNING".
 const char* describe(monitor::Severity severity);
 
 }  // namespace tether_monitor::replay

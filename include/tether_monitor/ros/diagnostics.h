@@ -2,12 +2,15 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include <limits>
 #include <map>
 #include <string>
 
 #include "tether_monitor/monitor/estimate/vibration_report.h"
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/cycle_statistics.h"
 #include "tether_monitor/ros/input_statistics.h"
+#include "tether_monitor/ros/publishing_report.h"
 #include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
@@ -27,19 +30,32 @@ struct DiagnosticInputs
   std::map<std::string, InputStatistics> statistics;  ///< by topic.
   TimeOrigin time;                                    ///< of the estimator's seconds.
   double worst_step_time = 0.0;                       ///< [s] since the start.
-  long ticks = 0;
+  long cycles = 0;
   long missed = 0;                     ///< cycles that should have been and were not.
+  double late_share = 0.0;             ///< of the cycles of the last ten seconds, missed or late [-].
+  LatencyStatistics lateness;          ///< of the wake-up [s].
+  long lost_messages = 0;              ///< for want of room between two cycles.
+  std::string realtime_refusal;        ///< what the machine refused of monitor.realtime; empty: nothing.
+  std::string state_file_problem;      ///< empty: none.
   bool clock_stands = false;           ///< time has not gone on since the last update.
   bool master_is_lost = false;         ///< the ROS master does not answer.
   monitor::VibrationReport vibration;  ///< of the last update.
   int forecast_members = 0;            ///< that a forecast can afford now; 0: there is none.
   double forecast_interval = 0.0;      ///< [s] from one to the next.
   bool forecast_is_short = false;      ///< the machine is too slow for what is configured.
+  double forecast_probability = std::numeric_limits<double>::quiet_NaN();  ///< of over-tension, of the last one.
 };
 
 /// Fills a status with level, summary, numbers, likely cause and advice.
 void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs& inputs,
               diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// Fills a status with how punctual cycles and outputs are; WARN when more than one cycle in twenty is late.
+void diagnoseTiming(const DiagnosticInputs& inputs, const PublishingReport& publishing,
+                    diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// How near the waves' frequency is to a natural one, 1: the same; NaN: not known, or there are no waves.
+double nearnessOfResonance(const monitor::VibrationReport& report);
 
 /// Fills a status with natural frequencies and what excites them; WARN on resonance with the waves or strumming.
 void diagnoseVibration(const monitor::VibrationReport& report,

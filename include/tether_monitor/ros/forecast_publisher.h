@@ -30,6 +30,8 @@ class ForecastPublisher
   /// After a cycle. @param time  of the estimator's seconds.
   void offer(const monitor::TetherEstimator& estimator, const TimeOrigin& time);
   ForecastBudget budget() const { return thread_.budget(); }
+  /// Of over-tension, as the last forecast has it; NaN if it is old at time t [s], or there is none.
+  double probability(double t) const;
 
  private:
   void publish(const monitor::TetherForecast& forecast);
@@ -42,9 +44,10 @@ class ForecastPublisher
   ros::CallbackQueue queue_;
   ros::Publisher publisher_;
   mutable std::mutex mutex_;
-  TimeOrigin time_;               // guarded by mutex_
-  ForecastThread::Start latest_;  // likewise
-  double last_empty_ = -1e300;    // [s]
+  TimeOrigin time_;                                    // guarded by mutex_
+  ForecastThread::Start latest_;                       // likewise
+  double probability_t_ = -1e300, probability_ = 0.0;  // likewise; of the last forecast
+  double last_empty_ = -1e300;                         // [s]
   ros::ServiceServer service_;
   ForecastThread thread_;
   ros::AsyncSpinner spinner_;

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Vector3Stamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
 #include <std_msgs/Float64.h>
 #include <tether_monitor/CurrentProfile.h>
 #include <tether_monitor/ObstacleArray.h>
@@ -16,6 +17,7 @@
 #include <string>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/header_check.h"
 #include "tether_monitor/ros/message_bounds.h"
 #include "tether_monitor/ros/time_conversion.h"
 
@@ -48,7 +50,7 @@ class InputAdapter
   /// Pose in header.frame_id, twist in the body's axes (child_frame_id).
   std::optional<InputError> accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
   std::optional<InputError> accept(const Payout& message, const ros::Time& now);
-  /// Load cell at the vessel end, in mode observed.
+  /// Load cell at the vessel end.
   std::optional<InputError> accept(const TensionMeasurement& message, const ros::Time& now);
   /// Direction in which the tether leaves the vessel, any length, in mode observed.
   std::optional<InputError> accept(const geometry_msgs::Vector3Stamped& message, const ros::Time& now);
@@ -60,16 +62,15 @@ class InputAdapter
   std::optional<InputError> acceptDepth(const std_msgs::Float64& message, const ros::Time& now);
   /// Turns of the winch drum since it was full.
   std::optional<InputError> acceptTurns(const std_msgs::Float64& message, const ros::Time& now);
+  /// Turns of the tether about itself, as a pilot has counted them.
+  std::optional<InputError> acceptTetherTurns(const std_msgs::Float64& message, const ros::Time& now);
+  /// Where the vessel is meant to go; every pose with its stamp.
+  std::optional<InputError> accept(const nav_msgs::Path& message, const ros::Time& now);
+  /// What the winch is meant to do from the stamp on.
+  std::optional<InputError> acceptPayoutPlan(const Payout& message, const ros::Time& now);
 
  private:
   std::optional<InputError> noted(const std::optional<InputError>& error, const ros::Time& now);
-  std::optional<InputError> checkStamp(const std_msgs::Header& header, const ros::Time& now) const;
-  /// Stamp and frame of a message; `to_world` is the transform of its frame.
-  std::optional<InputError> checkHeader(const std_msgs::Header& header, const ros::Time& now,
-                                        Eigen::Isometry3d& to_world) const;
-  /// Transform at the stamp, or the last one if that is at most pose_timeout away. @throws tf2::TransformException
-  geometry_msgs::TransformStamped lookUp(const std::string& world, const std_msgs::Header& header) const;
-  std::optional<InputError> transformToWorld(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
   std::optional<InputError> bodyAxesToWorld(Body body, const std_msgs::Header& header, const ros::Time& now,
                                             Eigen::Isometry3d& to_world) const;
 
@@ -79,6 +80,7 @@ class InputAdapter
   std::optional<InputError> tryThrust(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
   std::optional<InputError> tryObstacles(const ObstacleArray& message, const ros::Time& now);
   std::optional<InputError> tryCurrent(const CurrentProfile& message, const ros::Time& now);
+  std::optional<InputError> tryPlan(const nav_msgs::Path& message);
   std::optional<InputError> tryTurns(const std_msgs::Float64& message, const ros::Time& now);
   std::optional<InputError> tryLength(double t, double length, double rate);
 
@@ -86,7 +88,7 @@ class InputAdapter
   const monitor::BodyConfig& config(Body body) const;
 
   monitor::TetherEstimator& estimator_;
-  const tf2::BufferCore& transforms_;
+  HeaderCheck headers_;
   TimeOrigin time_;
 };
 

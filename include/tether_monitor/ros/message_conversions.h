@@ -2,18 +2,17 @@
 
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
-#include <tether_monitor/AlarmArray.h>
 #include <tether_monitor/ContactArray.h>
 #include <tether_monitor/Obstacle.h>
 #include <tether_monitor/ParameterEstimate.h>
 #include <tether_monitor/TetherState.h>
+#include <tether_monitor/WrenchWithCovarianceStamped.h>
 
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "tether_monitor/monitor/alarms/alarm_set.h"
 #include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/ensemble/parameter_report.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
@@ -42,8 +41,16 @@ geometry_msgs::WrenchStamped wrenchMessage(const std_msgs::Header& header, const
                                            const core::Vector3& force, const core::Vector3& moment);
 
 /// What an ensemble believes of its parameters.
+/**
+ * Force and moment of the tether on the vehicle in its own axes, about its reference point.
+ *
+ * @param attitude  of the vehicle, body to world; none: the numbers are NaN. The force may be wrong by the
+ * standard deviation of the tension at the vehicle, along every axis.
+ */
+WrenchWithCovarianceStamped bodyWrenchMessage(const std_msgs::Header& header,
+                                              const monitor::TetherEstimate& estimate,
+                                              const std::optional<Eigen::Quaterniond>& attitude,
+                                              const monitor::BodyConfig& body);
 ParameterEstimate toMessage(const std_msgs::Header& header, const std::vector<monitor::ParameterEstimate>& report);
-
-AlarmArray toMessage(const monitor::AlarmSet& alarms, const TimeOrigin& time);
 
 }  // namespace tether_monitor

@@ -122,6 +122,7 @@ std::vector<std::string> validate(const Config& c)
   check.within("forecast.horizon", c.forecast.horizon, 1.0, 300.0, "s");
   check.within("forecast.rate", c.forecast.rate, 0.0, 5.0, "Hz");
   check.within("forecast.members", c.forecast.members, 8, 1000, "[-]");
+  check.within("realtime.priority", c.runtime.priority, 0, 99, "[-]");
   check.check(std::isfinite(c.invalid_timeout) && c.invalid_timeout >= c.pose_timeout, "invalid_timeout",
               c.invalid_timeout, ">= pose_timeout, in s");
   add(check.problems(), all);

@@ -272,6 +272,8 @@ bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vecto
 {
   const core::Matrix3 spread = covarianceOf(sight_.predicted);
   const core::Matrix3 S = motion_.innovationCovariance(sight_.jacobian, sight_.noise) + spread;
+  if (fix.kind == VehicleMeasurement::Kind::TENSION)
+    tension_residual_ = {fix.t, fix.value.value().x(), fix.value.value().x() - innovation.x(), std::sqrt(S(0, 0))};
   switch (gate_.evaluate(fix, innovation, S, spread))
   {
     case InnovationGate::Verdict::ACCEPT:

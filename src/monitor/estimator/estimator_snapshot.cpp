@@ -12,7 +12,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 9";
+const char* const FORMAT = "tether_monitor state 10";
 
 // What has become of a model since it was made of the configuration.
 struct ModelChanges
@@ -138,7 +138,7 @@ bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherE
   const bool is_sound = reader.finished() && fits(copy.estimate(), *model) && copy.phase() >= Phase::IDLE &&
                         copy.phase() <= Phase::RUNNING && copy.cycle_.vessel_->isValid() &&
                         copy.cycle_.vehicle_->isValid(*model) && copy.forecast_inputs_.isValid() &&
-                        copy.cycle_.payout_.isValid() &&
+                        copy.alarms_.isValid() && copy.alarm_inputs_.isValid() && copy.cycle_.payout_.isValid() &&
                         (!copy.isRunning() || (isStateOf(state, *model) && state.time == copy.estimate().time));
   if (!is_sound)
     return false;

@@ -26,6 +26,12 @@ void ForecastInputs::clear()
   vehicle_.clear();
 }
 
+void ForecastInputs::clearPlans()
+{
+  plan_.set({});
+  payout_plan_.reset();
+}
+
 ForecastStart ForecastInputs::start(const CableSimulation& simulation, const VehicleEnd& vehicle,
                                     double payout_rate) const
 {
@@ -36,6 +42,8 @@ ForecastStart ForecastInputs::start(const CableSimulation& simulation, const Veh
   start.has_winch = std::isfinite(payout_rate);
   start.payout_rate = start.has_winch ? payout_rate : 0.0;
   start.vessel = vessel_;
+  start.plan = plan_;
+  start.payout_plan = payout_plan_;
   if (!vehicle.takesThrust())
     start.vehicle = vehicle_;
   vehicle.prepareForecast(start);

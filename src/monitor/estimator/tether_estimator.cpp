@@ -1,5 +1,7 @@
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 
+#include <cmath>
+
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/monitor/estimator/estimator_snapshot.h"
 
@@ -14,7 +16,8 @@ const Config& checked(const Config& config)
 }
 }  // namespace
 
-TetherEstimator::TetherEstimator(const Config& config) : config_(checked(config)), cycle_(config), alarms_(config)
+TetherEstimator::TetherEstimator(const Config& config)
+  : config_(checked(config)), cycle_(config), alarm_inputs_(config), alarms_(config)
 {
 }
 
@@ -28,9 +31,18 @@ void TetherEstimator::setEpoch(double epoch)
   cycle_.setEnvironment(simulation().model.environment().withTimeOrigin(epoch));
 }
 
+Rejection TetherEstimator::addTension(double t, double tension)
+{
+  const Rejection rejection = cycle_.vehicle().addTension(t, tension);
+  if (rejection == Rejection::NONE && std::isfinite(tension) && std::isfinite(t))
+    alarm_inputs_.addTension(t, tension);
+  return rejection;
+}
+
 const TetherEstimate& TetherEstimator::watched(const TetherEstimate& estimate)
 {
-  alarms_changed_ = alarms_.update(estimate);
+  alarms_changed_ = alarms_.update(
+      estimate, alarm_inputs_.update(estimate, cycle_.simulation(), vessel(), vehicle(), vortexShedding()));
   if (!isRunning())
     forecast_inputs_.clear();
   else if (estimate.has_stations)
@@ -41,14 +53,25 @@ const TetherEstimate& TetherEstimator::watched(const TetherEstimate& estimate)
 const TetherEstimate& TetherEstimator::tick(double t)
 {
   if (phase() != Phase::IDLE && t < estimate().time)
-    alarms_.resetTimers();
+    alarms_.resetTimers(t);
   return watched(cycle_.tick(t));
 }
 
 void TetherEstimator::reset()
 {
   cycle_.reset();
-  alarms_.resetTimers();
+  alarms_.resetTimers(estimate().time);
+  alarm_inputs_.clear();
+  forecast_inputs_.clearPlans();
+}
+
+bool TetherEstimator::setPayoutPlan(const PayoutPlan& plan)
+{
+  const bool has_length = std::isnan(plan.length) || (plan.length >= 0.0 && std::isfinite(plan.length));
+  if (!has_length || !std::isfinite(plan.rate) || !std::isfinite(plan.t))
+    return false;
+  forecast_inputs_.setPayoutPlan(plan);
+  return true;
 }
 
 std::vector<ParameterEstimate> TetherEstimator::parameters() const

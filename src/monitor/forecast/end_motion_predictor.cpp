@@ -134,6 +134,7 @@ EndMotionSampler::EndMotionSampler(const EndMotionPredictor& predictor, const co
 EndMotionSampler::Course EndMotionSampler::begin(RandomNumbers& random) const
 {
   Course course;
+  course.t = predictor_.time();
   for (int i = 0; i < 3; ++i)
   {
     AxisKalmanFilter::Vector deviation = spread_[i] * normals<AxisKalmanFilter::STATES>(random);
@@ -157,6 +158,19 @@ EndMotionSampler::Course EndMotionSampler::begin(RandomNumbers& random) const
   return course;
 }
 
+// Outside of its times the vessel goes on as it does then.
+bool EndMotionSampler::followPlan(Course& course) const
+{
+  if (!command_.plan || command_.velocity || command_.turn_rate)
+    return false;
+  const std::optional<core::Vector3> planned = command_.plan->velocity(course.t);
+  if (!planned)
+    return false;
+  course.commanded = *planned;
+  course.turn_rate = 0.0;
+  return true;
+}
+
 void EndMotionSampler::steer(Course& course) const
 {
   for (int i = 0; i < 3; ++i)
@@ -173,7 +187,8 @@ core::EndMotion EndMotionSampler::advance(Course& course, RandomNumbers& random)
   for (int i = 0; i < 3; ++i)
     course.axes[i] =
         (transition_[i] * course.axes[i] + noise_[i] * normals<AxisKalmanFilter::STATES>(random)).eval();
-  if (command_.velocity)
+  course.t += step_;
+  if (followPlan(course) || command_.velocity)
     steer(course);
   const double angle = course.turn_rate * step_;
   turn(angle, course.axes[0][VELOCITY], course.axes[1][VELOCITY]);

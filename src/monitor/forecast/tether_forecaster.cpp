@@ -72,6 +72,19 @@ core::PayoutTrajectory payOut(const core::CableModel& model, const core::CableSt
     to = {from.length, 0.0, 0.0};
   return core::PayoutTrajectory::between(state.time, from, t, to);
 }
+double payoutRate(const ForecastStart& start, const ForecastActions& actions, double t, double deployed)
+{
+  if (actions.payout_rate)
+    return *actions.payout_rate;
+  return start.payout_plan ? start.payout_plan->rateAt(t, deployed, start.payout_rate) : start.payout_rate;
+}
+
+bool followsPlan(const ForecastStart& start, double horizon, const ForecastActions& actions)
+{
+  const bool is_steered = actions.vessel.velocity || actions.vessel.turn_rate;
+  const bool has_course = !is_steered && (start.plan.velocity(start.t) || start.plan.velocity(start.t + horizon));
+  return has_course || (start.payout_plan && !actions.payout_rate);
+}
 }  // namespace
 
 TetherForecaster::TetherForecaster(const Config& config) : limits_(config), body_(config.vehicle_body)
@@ -97,7 +110,6 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
   if (vehicle)
     other = vehicle->begin(random);
   UnknownForceCourse unknown(start, member, random);
-  const double rate = actions.payout_rate.value_or(start.payout_rate);
   const int steps = static_cast<int>(std::lround(horizon / STEP));
   core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
   core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
@@ -121,6 +133,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
     ends.vehicle_force = unknown.advance(random);
     if (start.attitude)
       ends.vehicle_thrust.torque += torqueTowards(body_, *start.attitude, state.vehicle);
+    const double rate = payoutRate(start, actions, state.time, model.length(state.deployment));
     if (rate != 0.0 || (state.deployment.payout && state.deployment.payout->rate != 0.0))
       ends.payout = payOut(model, state, rate, t);
     if (!stepper.advance(model, ends, t, state).converged() || !state.allFinite())
@@ -150,8 +163,9 @@ void TetherForecaster::simulate(const ForecastStart& start, double horizon, int 
   estimate_.stations = core::StationProfile(start.model->elements());
   const core::CableState& first = start.members.front().state;
   const core::Vector3& origin = start.model->environment().origin();
-  const EndMotionSampler vessel(start.vessel, endOf(first.q.front(), first.v.front(), origin), STEP,
-                                actions.vessel);
+  MotionCommand command = actions.vessel;
+  command.plan = &start.plan;
+  const EndMotionSampler vessel(start.vessel, endOf(first.q.front(), first.v.front(), origin), STEP, command);
   std::optional<EndMotionSampler> vehicle;
   if (start.vehicle)
     vehicle.emplace(*start.vehicle, endOf(first.q.back(), first.v.back(), origin), STEP);
@@ -166,6 +180,7 @@ TetherForecast TetherForecaster::run(const ForecastStart& start, double horizon,
   TetherForecast forecast;
   forecast.t = start.t;
   forecast.horizon = horizon;
+  forecast.from_plan = followsPlan(start, horizon, actions);
   simulate(start, horizon, members, actions);
   if (traces_.alive() >= std::max(2.0, (1.0 - LARGEST_LOST_SHARE) * members))
     traces_.summarize(forecast);

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <set>
-#include <sstream>
 
 #include "support/estimator_fixture.h"
 
@@ -20,19 +18,22 @@ TEST(AlarmQuantities, HaveNamesOfTheirOwn)
   EXPECT_EQ(alarmQuantities().front().name, std::string(OVER_TENSION));
 }
 
-TEST(AlarmQuantities, StandInTheReadme)
+TEST(AlarmQuantities, SayWhatTheyAreAndWhatToDo)
 {
-  std::ifstream file(std::string(PROJECT_DIR) + "/README.md");
-  std::stringstream text;
-  text << file.rdbuf();
   for (const AlarmQuantity& quantity : alarmQuantities())
-    EXPECT_NE(text.str().find("`alarms." + std::string(quantity.name) + "`"), std::string::npos) << quantity.name;
+  {
+    EXPECT_FALSE(std::string(quantity.unit).empty()) << quantity.name;
+    EXPECT_FALSE(std::string(quantity.meaning).empty()) << quantity.name;
+    const std::string advice = quantity.advice;
+    ASSERT_GT(advice.size(), 10u) << quantity.name;
+    EXPECT_EQ(advice.back(), '.') << quantity.name;
+  }
 }
 
 TEST(AlarmQuantities, AreUnknownInAnEmptyEstimate)
 {
   for (const AlarmQuantity& quantity : alarmQuantities())
-    EXPECT_TRUE(std::isnan(quantity.value(TetherEstimate()).value)) << quantity.name;
+    EXPECT_TRUE(std::isnan(quantity.value(TetherEstimate(), AlarmInputs()).value)) << quantity.name;
 }
 
 TEST(AlarmQuantities, DeriveLimitsThatAreNotGiven)
@@ -66,6 +67,8 @@ TEST(AlarmQuantities, EveryBoundOfEveryAlarmIsChecked)
         {"on_delay", [](AlarmConfig& a) { a.timing.on_delay = -1.0; }},
         {"off_delay", [](AlarmConfig& a) { a.timing.off_delay = NAN; }},
         {"deadband", [](AlarmConfig& a) { a.timing.deadband = -0.1; }},
+        {"realarm", [](AlarmConfig& a) { a.timing.realarm = -1.0; }},
+        {"chatter_hold", [](AlarmConfig& a) { a.timing.chatter_hold = INFINITY; }},
         {"limit", [](AlarmConfig& a) { a.limit = INFINITY; }},
         {"warning", [&](AlarmConfig& a)
          {

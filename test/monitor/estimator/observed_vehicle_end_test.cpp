@@ -196,7 +196,7 @@ TEST(ObservedVehicle, TheWarningLooksAtTheEdgeOfTheBand)
   for (int i = 0; i < 10; ++i)
   {
     near.time = e.time + 0.05 * i;
-    alarms.update(near);
+    alarms.update(near, AlarmInputs());
   }
   bool warned = false, limit = false;
   for (const Alarm& alarm : alarms.alarms())

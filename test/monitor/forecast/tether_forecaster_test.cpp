@@ -123,4 +123,43 @@ TEST(TetherForecaster, TheSameStartGivesTheSameForecast)
   b.run(start, 5.0, 4);
   EXPECT_EQ(a.run(start, HORIZON, 16).max_tension_p95, b.run(start, HORIZON, 16).max_tension_p95);
 }
+// At rest now; in ten seconds the vessel is to leave, and the tether will not reach.
+TEST(TetherForecaster, FollowsAPlan)
+{
+  EstimatorFixture fixture(coarseConfig());
+  fixture.run(20.0);
+  const double t = fixture.t;
+  TetherForecaster forecaster(coarseConfig());
+  ASSERT_EQ(fixture.estimator.setPlan(
+                {{t, {0.0, 0.0, 0.0}}, {t + 10.0, {0.0, 0.0, 0.0}}, {t + 60.0, {-100.0, 0.0, 0.0}}}),
+            "");
+  const TetherForecast planned = forecaster.run(*fixture.estimator.forecastStart(), HORIZON, 16);
+  EXPECT_TRUE(planned.from_plan);
+  EXPECT_GT(planned.probability_over_tension, 0.9);
+  EXPECT_GT(planned.time_to_limit, 12.0) << "not before it leaves";
+  ForecastActions stay;
+  stay.vessel.velocity = core::Vector3(0.0, 0.0, 0.0);
+  const TetherForecast stayed = forecaster.run(*fixture.estimator.forecastStart(), HORIZON, 16, stay);
+  EXPECT_FALSE(stayed.from_plan);
+  EXPECT_LT(stayed.probability_over_tension, 0.05);
+  fixture.estimator.setPlan({});
+  EXPECT_FALSE(forecaster.run(*fixture.estimator.forecastStart(), HORIZON, 16).from_plan);
+}
+
+// The same departure, but the winch is to pay out as much.
+TEST(TetherForecaster, FollowsAPlanOfTheWinch)
+{
+  EstimatorFixture fixture(coarseConfig());
+  fixture.run(20.0);
+  fixture.estimator.setPlan({{fixture.t, {0.0, 0.0, 0.0}}, {fixture.t + 60.0, {-60.0, 0.0, 0.0}}});
+  TetherForecaster forecaster(coarseConfig());
+  const double without = forecaster.run(*fixture.estimator.forecastStart(), HORIZON, 16).probability_over_tension;
+  EXPECT_FALSE(fixture.estimator.setPayoutPlan({fixture.t, NAN, INFINITY}));
+  ASSERT_TRUE(fixture.estimator.setPayoutPlan({fixture.t, 140.0, 1.2}));
+  const TetherForecast with = forecaster.run(*fixture.estimator.forecastStart(), HORIZON, 16);
+  EXPECT_TRUE(with.from_plan);
+  EXPECT_GT(without, 0.9);
+  EXPECT_LT(with.probability_over_tension, 0.1);
+}
+
 }  // namespace tether_monitor::monitor

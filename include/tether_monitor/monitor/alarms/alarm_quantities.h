@@ -4,34 +4,28 @@
 #include <string>
 #include <vector>
 
+#include "tether_monitor/monitor/alarms/alarm_values.h"
 #include "tether_monitor/monitor/config/config.h"
-#include "tether_monitor/monitor/estimate/tether_estimate.h"
 
 namespace tether_monitor::monitor
 {
-/// What an alarm watches: a value, and where along the tether it is taken [m]; NaN: unknown, nowhere.
-struct AlarmValue
-{
-  double value = TetherEstimate::NONE;
-  double s = TetherEstimate::NONE;
-};
-
 /**
  * A watched quantity: its limit alarm has its name, its warning has "_warning" behind it.
  *
- * The one table of alarms: parameter loader, validation and alarm set follow it, a test compares README.md with
- * it. A new alarm is an entry and a function here, and a test: CONTRIBUTING.md has the recipe.
+ * The one table of alarms: parameter loader, validation, alarm set and doc/alarms.md follow it. A new alarm is an
+ * entry and a function here, and a test: CONTRIBUTING.md has the recipe.
  */
 struct AlarmQuantity
 {
   const char* name;     ///< key below monitor.alarms.
   const char* unit;     ///< of value and limits.
   const char* meaning;  ///< a phrase for the documents.
+  const char* advice;   ///< what to do, a sentence.
   Side side;
   Severity severity;  ///< of the limit alarm; a warning is a WARNING.
   AlarmConfig defaults;
   std::optional<double> (*derivedLimit)(const Config&);  ///< limit where the configuration has none; null: none.
-  AlarmValue (*value)(const TetherEstimate&);            ///< NaN while unknown.
+  AlarmValue (*value)(const TetherEstimate&, const AlarmInputs&);  ///< NaN while unknown.
   bool is_tension;  ///< its warning watches the upper confidence bound of the tension.
 };
 

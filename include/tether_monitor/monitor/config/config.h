@@ -13,6 +13,7 @@
 #include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/config/forecast_config.h"
 #include "tether_monitor/monitor/config/navigation_config.h"
+#include "tether_monitor/monitor/config/runtime_config.h"
 #include "tether_monitor/monitor/config/uncertainty_config.h"
 
 namespace tether_monitor::monitor
@@ -41,6 +42,7 @@ struct Config
   double invalid_timeout = 5.0;  ///< [s], >= pose_timeout.
   AlarmsConfig alarms;
   ForecastConfig forecast;
+  RuntimeConfig runtime;
 };
 
 /// Every bound that `config` violates, one sentence each, named as in the parameter tree; those of the alarms are

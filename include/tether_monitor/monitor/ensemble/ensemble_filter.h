@@ -8,6 +8,7 @@
 #include "tether_monitor/monitor/ensemble/random_numbers.h"
 #include "tether_monitor/monitor/measurements/measurement_history.h"
 #include "tether_monitor/monitor/measurements/ring_buffer.h"
+#include "tether_monitor/monitor/measurements/tension_residual.h"
 
 namespace tether_monitor::monitor
 {
@@ -82,6 +83,8 @@ class EnsembleFilter
   const ParameterPrior& prior() const { return prior_; }
   const MotionErrorFilter& motionError() const { return motion_; }
   const InnovationGate& gate() const { return gate_; }
+  /// Of the last reading of the load cell, before it corrected anything.
+  const TensionResidual& tensionResidual() const { return tension_residual_; }
   /// Force that every nominal vehicle is to feel from now on: what is unknown, and what brings it to its mean [N].
   const MemberVectors& appliedForce() const { return applied_; }
   /// Times that the parameters were drawn anew since the measurements contradicted them.
@@ -101,7 +104,8 @@ class EnsembleFilter
   void serialize(Archive& a)
   {
     a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, random_,
-      walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_);
+      walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_,
+      tension_residual_);
   }
 
  private:
@@ -171,6 +175,7 @@ class EnsembleFilter
   long resets_ = 0;
   ReadingRate position_rate_, tension_rate_, direction_rate_;
   TensionSpread tension_spread_;
+  TensionResidual tension_residual_;
 };
 
 }  // namespace tether_monitor::monitor

@@ -64,6 +64,7 @@ class EstimationCycle
   Phase phase() const { return phase_; }
   bool isRunning() const { return phase_ == Phase::RUNNING; }
   const CableSimulation& simulation() const { return simulation_; }
+  CableSimulation& simulation() { return simulation_; }
   const InputFindings& findings() const { return findings_; }
   InputFindings& findings() { return findings_; }
   /// How long what an input has done stays in the tether [s].

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "tether_monitor/monitor/estimator/vehicle_end.h"
 #include "tether_monitor/monitor/forecast/forecast_start.h"
 
@@ -15,16 +19,22 @@ class ForecastInputs
   /// Of a tether that has been observed. @param payout_rate  reported [m/s]; NaN: none is. Allocates.
   ForecastStart start(const CableSimulation& simulation, const VehicleEnd& vehicle, double payout_rate) const;
   bool isReady() const { return vessel_.isReady(); }
-  bool isValid() const { return vessel_.isValid() && vehicle_.isValid(); }
+  bool isValid() const { return vessel_.isValid() && vehicle_.isValid() && plan_.isValid(); }
+  /// See VesselPlan::set(). A plan stays until the next one.
+  std::string setPlan(const std::vector<VesselPlan::Point>& points) { return plan_.set(points); }
+  void setPayoutPlan(const PayoutPlan& plan) { payout_plan_ = plan; }
+  void clearPlans();
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(vessel_, vehicle_);
+    a(vessel_, vehicle_, plan_, payout_plan_);
   }
 
  private:
   EndMotionPredictor vessel_{true}, vehicle_{false};
+  VesselPlan plan_;
+  std::optional<PayoutPlan> payout_plan_;
 };
 
 }  // namespace tether_monitor::monitor

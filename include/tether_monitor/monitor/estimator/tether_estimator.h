@@ -9,6 +9,7 @@
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/monitor/ensemble/parameter_report.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
+#include "tether_monitor/monitor/estimator/alarm_input_tracker.h"
 #include "tether_monitor/monitor/estimator/estimation_cycle.h"
 #include "tether_monitor/monitor/estimator/forecast_inputs.h"
 
@@ -50,8 +51,19 @@ class TetherEstimator
   }
   /// A measurement had to be refused at time t [s]: the status is DEGRADED for a pose_timeout.
   void noteRejectedInput(double t) { cycle_.watchdog().noteRejectedInput(t); }
-  /// A reading of the load cell at the vessel end [N] at time t [s]; for mode observed.
-  Rejection addTension(double t, double tension) { return cycle_.vehicle().addTension(t, tension); }
+  /// A reading of the load cell at the vessel end [N] at time t [s]: in mode observed it corrects the estimate, in
+  /// every mode it is compared with it (alarm `mismatch`).
+  Rejection addTension(double t, double tension);
+  /// Turns of the tether as somebody has counted them; headings go on from there. @return false, and nothing
+  /// changes, unless finite.
+  bool setTurns(double turns) { return alarm_inputs_.setTurns(turns); }
+  /// Where the vessel is meant to go, for forecasts, until the next plan or reset(). @return why it cannot be;
+  /// empty: it was taken. No points: there is no plan. Allocates.
+  std::string setPlan(const std::vector<VesselPlan::Point>& points) { return forecast_inputs_.setPlan(points); }
+  /// What the winch is meant to do, likewise. @return false, and nothing changes, unless its numbers can be.
+  bool setPayoutPlan(const PayoutPlan& plan);
+  /// What only the caller knows and alarms watch; until the next report.
+  void report(const ShellReport& report) { alarm_inputs_.report(report); }
   /// The direction in which the tether leaves the vessel at time t [s], any length, world axes; for mode observed.
   Rejection addDirection(double t, const core::Vector3& direction)
   {
@@ -110,10 +122,17 @@ class TetherEstimator
   void reset();
   /// Acknowledges all alarms at the time of the last estimate. @return how many changed.
   int acknowledge() { return alarms_.acknowledge(estimate().time); }
+  /// An operator's action on one alarm at that time; see AlarmSet::act().
+  std::string actOnAlarm(const std::string& name, AlarmAction action, double seconds)
+  {
+    return alarms_.act(name, action, estimate().time, seconds);
+  }
 
   const Config& config() const { return config_; }
   const TetherEstimate& estimate() const { return cycle_.estimate(); }
   const AlarmSet& alarms() const { return alarms_; }
+  /// What alarms watch beside the estimate, load cell and snag included.
+  const AlarmInputTracker& alarmInputs() const { return alarm_inputs_; }
   /// True if any alarm changed its state in the last estimate.
   bool alarmsChanged() const { return alarms_changed_; }
   /// What a control loop must see: true while INVALID, and unless nothing is out while a limit alarm of
@@ -153,12 +172,13 @@ class TetherEstimator
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(cycle_, alarms_changed_, alarms_, forecast_inputs_);
+    a(cycle_, alarms_changed_, alarms_, alarm_inputs_, forecast_inputs_);
   }
   const TetherEstimate& watched(const TetherEstimate& estimate);
 
   Config config_;
   EstimationCycle cycle_;
+  AlarmInputTracker alarm_inputs_;
   AlarmSet alarms_;
   bool alarms_changed_ = false;
   ForecastInputs forecast_inputs_;

@@ -5,6 +5,7 @@
 
 #include "tether_monitor/core/cable/end_trajectory.h"
 #include "tether_monitor/monitor/ensemble/random_numbers.h"
+#include "tether_monitor/monitor/forecast/vessel_plan.h"
 #include "tether_monitor/monitor/measurements/correction_blender.h"
 #include "tether_monitor/monitor/vessel/vessel_axis_filters.h"
 
@@ -57,6 +58,7 @@ struct MotionCommand
 {
   std::optional<core::Vector3> velocity;  ///< of the low-frequency motion, world [m/s]; reached within seconds.
   std::optional<double> turn_rate;        ///< [rad/s], to the left positive; with a velocity, none if not given.
+  const VesselPlan* plan = nullptr;       ///< followed where neither is given; must outlive its users.
 };
 
 /**
@@ -73,6 +75,7 @@ class EndMotionSampler
   /// One continuation.
   struct Course
   {
+    double t = 0.0;  ///< [s]
     std::array<AxisKalmanFilter::Vector, 3> axes;
     double turn_rate = 0.0;                           ///< [rad/s]
     core::Vector3 commanded = core::Vector3::Zero();  ///< velocity that is steered for, turned with the course.
@@ -84,6 +87,7 @@ class EndMotionSampler
 
  private:
   using Matrix = AxisKalmanFilter::Matrix;
+  bool followPlan(Course& course) const;
   void steer(Course& course) const;
 
   const EndMotionPredictor& predictor_;

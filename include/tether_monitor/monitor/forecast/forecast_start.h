@@ -7,6 +7,7 @@
 #include "tether_monitor/core/solve/adaptive_stepper.h"
 #include "tether_monitor/monitor/ensemble/motion_error_filter.h"
 #include "tether_monitor/monitor/forecast/end_motion_predictor.h"
+#include "tether_monitor/monitor/forecast/vessel_plan.h"
 
 namespace tether_monitor::monitor
 {
@@ -32,6 +33,8 @@ struct ForecastStart
   std::optional<EndMotionPredictor> vehicle;  ///< of a vehicle whose end is moved.
   bool has_winch = false;                     ///< something reports the deployed length.
   double payout_rate = 0.0;                   ///< [m/s]
+  VesselPlan plan;                            ///< where the vessel is meant to go.
+  std::optional<PayoutPlan> payout_plan;      ///< what the winch is meant to do.
 };
 
 }  // namespace tether_monitor::monitor
