@@ -4,14 +4,14 @@ find_package(roslaunch REQUIRED)
 
 roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
-foreach(unit forecast_thread geometry_conversions input_adapter input_statistics input_topics markers message_bounds message_conversions
-        time_conversion transform_input)
+foreach(unit cycle_statistics forecast_thread geometry_conversions input_adapter input_statistics input_topics markers message_bounds message_conversions
+        state_keeper time_conversion transform_input)
   add_unit_test(test/ros/unit/${unit}_test.cpp)
   target_link_libraries(ros_unit_${unit}_test tether_monitor_ros)
 endforeach()
 
 foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown message_fuzz input_faults
-        forecast)
+        alarms forecast)
   add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)
   target_link_libraries(${scenario}_test tether_monitor_ros)
   target_include_directories(${scenario}_test PRIVATE ${PROJECT_SOURCE_DIR}/test)

@@ -94,7 +94,7 @@ void AlarmInputTracker::describeContact(const TetherEstimate& e, const CableSimu
     findClearance(e, simulation);
 }
 
-// A distance changes by no more than the way along the tether: so far the next point may be.
+// A distance changes by no more than the step along the tether: so far the next point may be.
 void AlarmInputTracker::findClearance(const TetherEstimate& e, const CableSimulation& simulation)
 {
   const core::StationProfile& at = e.stations;
