@@ -70,4 +70,5 @@ target_link_libraries(tether_sim_node PRIVATE tether_monitor_ros tether_monitor_
 install(TARGETS tether_monitor_node tether_sim_node RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES test/data/tank_run.bag test/data/tank_run.md
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
-catkin_install_python(PROGRAMS scripts/after_node.py scripts/demo_monitor.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+catkin_install_python(PROGRAMS scripts/after_node.py scripts/demo_monitor.py scripts/station_keeper.py
+  scripts/winch_controller.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

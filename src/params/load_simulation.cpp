@@ -76,9 +76,11 @@ void loadVehicle(ParameterReader in, SimulationConfig& config)
     plan.control = VehicleControl::THRUST;
   else if (control == "station_keeping")
     plan.control = VehicleControl::STATION_KEEPING;
+  else if (control == "external")
+    plan.control = VehicleControl::EXTERNAL;
   else if (control != "none")
-    in.addError("control", " = '" + control + "' (must be none, thrust or station_keeping)");
-  if (plan.control == VehicleControl::STATION_KEEPING)
+    in.addError("control", " = '" + control + "' (must be none, thrust, station_keeping or external)");
+  if (plan.control == VehicleControl::STATION_KEEPING || plan.control == VehicleControl::EXTERNAL)
     plan.start = in.vector("start");
   plan.thrust = in.vector("thrust", plan.thrust);
   plan.largest_thrust = in.number("largest_thrust", plan.largest_thrust);
@@ -102,6 +104,12 @@ SimulationConfig loadSimulation(const Value& tree, const std::string& where)
     entry.finish();
   }
   config.winch_acceleration = in.number("winch_acceleration", config.winch_acceleration);
+  config.winch_is_commanded = in.boolean("winch_command", config.winch_is_commanded);
+  ParameterReader squall = in.child("squall");
+  config.squall.from = squall.number("from", config.squall.from);
+  config.squall.to = squall.number("to", config.squall.to);
+  config.squall.wind = squall.vector("wind", config.squall.wind);
+  squall.finish();
   config.payout_rate = in.number("payout_rate", config.payout_rate);
   config.payout_stddev = in.number("payout_stddev", config.payout_stddev);
   config.publish_obstacles = in.boolean("publish_obstacles", config.publish_obstacles);

@@ -4,6 +4,7 @@
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Float64.h>
 #include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -23,6 +24,7 @@ namespace
 constexpr double CONNECTING = 1.0;  // [s], wall clock: what is published before all have connected is lost to some
 constexpr int QUEUE = 20;
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
+constexpr double COMMAND_LIFE = 1.0;     // [s]
 
 visualization_msgs::Marker box(const std_msgs::Header& header, int id, const monitor::BodyState& body,
                                const core::Vector3& centre, const core::Vector3& size)
@@ -83,6 +85,7 @@ SimulatorNode::SimulatorNode(const ros::NodeHandle& nh, const ros::NodeHandle& p
   vessel_force_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vessel_end/force", QUEUE);
   vehicle_force_ = private_nh_.advertise<geometry_msgs::WrenchStamped>("vehicle_end/force", QUEUE);
   markers_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", QUEUE);
+  subscribeToCommands();
   frame_prefix_ = nh_.getNamespace() == "/" ? "" : nh_.getNamespace().substr(1) + "/";
 
   period_ =
@@ -100,6 +103,38 @@ SimulatorNode::SimulatorNode(const ros::NodeHandle& nh, const ros::NodeHandle& p
   }
   ROS_INFO("%s simulates a vessel and a vehicle on %g m of tether", private_nh_.getNamespace().c_str(),
            config_.tether.length);
+}
+
+void SimulatorNode::subscribeToCommands()
+{
+  if (plan_.winch_is_commanded)
+  {
+    const boost::function<void(const std_msgs::Float64&)> obey = [this](const std_msgs::Float64& rate)
+    {
+      if (!std::isfinite(rate.data))
+        return;
+      simulator_.commandWinch(rate.data);
+      winch_commanded_at_ = time_;
+    };
+    winch_command_ = nh_.subscribe<std_msgs::Float64>("winch/command", 1, obey);
+  }
+  if (plan_.vehicle.control == simulation::VehicleControl::EXTERNAL)
+  {
+    const boost::function<void(const geometry_msgs::Wrench&)> obey = [this](const geometry_msgs::Wrench& message)
+    {
+      const core::Wrench thrust{vector(message.force), vector(message.torque)};
+      if (thrust.force.allFinite() && thrust.torque.allFinite())
+        simulator_.commandThrust(thrust);
+    };
+    thrust_command_ = nh_.subscribe<geometry_msgs::Wrench>("vehicle/command", 1, obey);
+  }
+}
+
+// A winch whose controller is gone stops.
+void SimulatorNode::dropOldCommands()
+{
+  if (plan_.winch_is_commanded && time_ - winch_commanded_at_ > COMMAND_LIFE)
+    simulator_.commandWinch(simulator_.hasOrders() ? std::nan("") : 0.0);
 }
 
 void SimulatorNode::begin(const ros::Time& now)
@@ -130,6 +165,7 @@ void SimulatorNode::tick()
   const double now = plan_.clock ? time_ + period_ : (ros::Time::now() - start_).toSec();
   for (; time_ + period_ <= now + 1e-6; time_ += period_)
   {
+    dropOldCommands();
     if (!simulator_.advance(time_ + period_))
     {
       running_ = false;

@@ -61,6 +61,8 @@ std::vector<std::string> validate(const SimulationConfig& c)
   check.finite("vehicle.thrust (norm)", c.vehicle.thrust.norm(), "N");
   check.positive("vehicle.largest_thrust", c.vehicle.largest_thrust, "N");
   check.positive("winch_acceleration", c.winch_acceleration, "m/s^2");
+  check.check(std::isfinite(c.squall.from) && std::isfinite(c.squall.to) && c.squall.wind.norm() < 100.0,
+              "squall.wind (norm)", c.squall.wind.norm(), "< 100 m/s, its times finite");
   check.within("payout_rate", c.payout_rate, 0.0, 1000.0, "Hz");
   check.notNegative("payout_stddev", c.payout_stddev, "m");
   check.within("speed", c.speed, 0.01, 1000.0, "[-]");

@@ -13,6 +13,8 @@ namespace tether_monitor::simulation
 {
 namespace
 {
+constexpr double FASTEST_WINCH = 3.0;  // [m/s]
+
 core::CableModel checkedModel(const monitor::Config& config, const SimulationConfig& simulation)
 {
   std::vector<std::string> faults = validate(config);
@@ -44,7 +46,8 @@ void Simulator::start()
   core::SteadyEnds ends;
   ends.vessel = centre + turned.orientation * ship.attachment;
   ends.velocity = velocity;
-  const bool holds = simulation_.vehicle.control == VehicleControl::STATION_KEEPING;
+  const bool is_external = simulation_.vehicle.control == VehicleControl::EXTERNAL;
+  const bool holds = is_external || simulation_.vehicle.control == VehicleControl::STATION_KEEPING;
   ends.vehicle = simulation_.vehicle.start + body.attachment;
   if (simulation_.vehicle.control == VehicleControl::THRUST)
   {
@@ -66,7 +69,11 @@ void Simulator::start()
   {
     const core::Vector3 others =
         core::steadyForce(body, model_.environment().withoutWaves(), ends.vehicle, velocity);
-    vehicle_autopilot_.emplace(simulation_.vehicle, -others - core::endForces(model_, state_).vehicle);
+    const core::Vector3 balance = -others - core::endForces(model_, state_).vehicle;
+    if (is_external)
+      vehicle_thrust_.force = balance;  // level, its axes those of the world
+    else
+      vehicle_autopilot_.emplace(simulation_.vehicle, balance);
   }
   body.force = simulation_.vehicle.body.force;
   model_ = model_.withBodies({ship, body});
@@ -86,22 +93,50 @@ monitor::BodyState Simulator::vehicle() const
   return monitor::BodyState::ofNode(state_, state_.q.size() - 1, state_.vehicle, config_.vehicle.attachment);
 }
 
-core::PayoutTrajectory Simulator::orderedPayout(double dt)
+double Simulator::orderedRate(double dt) const
 {
+  if (!std::isnan(commanded_rate_))
+    return std::clamp(commanded_rate_, -FASTEST_WINCH, FASTEST_WINCH);
   const WinchCommand* order = nullptr;
   for (const WinchCommand& candidate : simulation_.winch)
     if (candidate.time <= state_.time)
       order = &candidate;
   const double left = order ? order->length - length() : 0.0;
+  if (!order || std::abs(left) <= 1e-6)
+    return 0.0;
   const double a = simulation_.winch_acceleration;
-  double wanted = 0.0;
-  if (order && std::abs(left) > 1e-6)
-    wanted = std::copysign(std::min({order->rate, std::sqrt(a * std::abs(left)), std::abs(left) / dt}), left);
+  return std::copysign(std::min({order->rate, std::sqrt(a * std::abs(left)), std::abs(left) / dt}), left);
+}
+
+core::PayoutTrajectory Simulator::payOut(double dt)
+{
+  const double wanted = orderedRate(dt), a = simulation_.winch_acceleration;
   const double before = winch_rate_;
   winch_rate_ = before + std::clamp(wanted - before, -a * dt, a * dt);
   const double after = length() + 0.5 * dt * (before + winch_rate_);
   return core::PayoutTrajectory::between(state_.time, {length(), before, 0.0}, state_.time + dt,
                                          {after, winch_rate_, 0.0});
+}
+
+void Simulator::commandThrust(const core::Wrench& thrust)
+{
+  if (simulation_.vehicle.control != VehicleControl::EXTERNAL)
+    return;
+  vehicle_thrust_ = thrust;
+  const double size = thrust.force.norm(), largest = simulation_.vehicle.largest_thrust;
+  if (size > largest)
+    vehicle_thrust_.force *= largest / size;
+}
+
+void Simulator::updateWind()
+{
+  const Squall& squall = simulation_.squall;
+  const bool in_squall = state_.time >= squall.from && state_.time < squall.to;
+  if (in_squall == in_squall_)
+    return;
+  in_squall_ = in_squall;
+  model_ =
+      model_.withEnvironment(model_.environment().withWind(in_squall ? squall.wind : config_.environment.wind));
 }
 
 bool Simulator::advance(double t)
@@ -110,13 +145,14 @@ bool Simulator::advance(double t)
   {
     const double dt = std::min(STEP, t - state_.time);
     core::BoundaryConditions drive;
+    updateWind();
     drive.vessel_thrust = vessel_autopilot_->steer(vessel(), dt);
     if (vehicle_autopilot_)
       vehicle_thrust_ = vehicle_autopilot_->steer(vehicle(), dt);
     drive.vehicle_thrust = vehicle_thrust_;
     if (hasWinch())
     {
-      const core::PayoutTrajectory path = orderedPayout(dt);
+      const core::PayoutTrajectory path = payOut(dt);
       if (model_.canRepresentLength(path.at(state_.time + dt).length))
         drive.payout = path;
       else

@@ -19,7 +19,9 @@ namespace tether_monitor
  * **Publishes** (relative): vessel/pose, vessel/velocity, vehicle/pose, vehicle/velocity, payout, obstacles,
  * vehicle/thrust (if the monitor's vehicle is free); (private) vessel_end/force, vehicle_end/force: the true
  * forces of the tether on its ends, and markers: hull and vehicle. Frames NS/vessel and NS/vehicle on /tf. With
- * `simulation.clock` also /clock.
+ * `simulation.clock` also /clock. **Subscribes** (relative): winch/command (std_msgs/Float64, pay-out rate in m/s;
+ * a command is good for a second) with `simulation.winch_command`, vehicle/command (geometry_msgs/Wrench, own
+ * axes) with the control `external`.
  */
 class SimulatorNode
 {
@@ -47,6 +49,8 @@ class SimulatorNode
   void publishObstacles(double t);
   void publishClock();
   void publishTruth();
+  void subscribeToCommands();
+  void dropOldCommands();
   ros::Time stamp(double t) const { return start_ + ros::Duration(t); }
 
   ros::NodeHandle nh_, private_nh_;
@@ -61,6 +65,8 @@ class SimulatorNode
   ros::Publisher vessel_pose_, vessel_velocity_, vehicle_pose_, vehicle_velocity_, payout_, obstacles_, thrust_;
   ros::Publisher vessel_odometry_;
   ros::Publisher vessel_force_, vehicle_force_, markers_, clock_;
+  ros::Subscriber winch_command_, thrust_command_;
+  double winch_commanded_at_ = -1e300;  // [s]
   ros::Timer timer_;
   ros::WallTimer wall_timer_;
   ros::Time start_;

@@ -30,9 +30,10 @@ struct VesselPlan
 /// What drives the simulated vehicle.
 enum class VehicleControl
 {
-  NONE,            ///< towed: only its constant force.
-  THRUST,          ///< a constant thrust in its own axes.
-  STATION_KEEPING  ///< a pilot who takes it from waypoint to waypoint and keeps it there.
+  NONE,             ///< towed: only its constant force.
+  THRUST,           ///< a constant thrust in its own axes.
+  STATION_KEEPING,  ///< a pilot who takes it from waypoint to waypoint and keeps it there.
+  EXTERNAL          ///< commands from outside; it begins as with STATION_KEEPING, with what keeps it there.
 };
 
 /// The simulated vehicle and what it does.
@@ -41,11 +42,18 @@ struct VehiclePlan
   core::RigidBody body;
   VehicleControl control = VehicleControl::NONE;
   core::Vector3 start =
-      core::Vector3::Zero();  ///< [m], with STATION_KEEPING; else it hangs where the tether lets it.
+      core::Vector3::Zero();  ///< [m], with STATION_KEEPING and EXTERNAL; else it hangs where the tether lets it.
   core::Vector3 thrust = core::Vector3::Zero();  ///< [N], body axes, with THRUST.
-  double largest_thrust = 1000.0;                ///< [N], with STATION_KEEPING, > 0.
+  double largest_thrust = 1000.0;                ///< [N], likewise, > 0.
   std::vector<Waypoint> waypoints;               ///< with STATION_KEEPING.
   double acceptance = 1.0;                       ///< [m], > 0.
+};
+
+/// Another wind for a time.
+struct Squall
+{
+  double from = 0.0, to = 0.0;                 ///< [s] since the start; to <= from: there is none.
+  core::Vector3 wind = core::Vector3::Zero();  ///< [m/s]
 };
 
 /// From `time` on the winch goes to `length` at `rate`.
@@ -86,6 +94,8 @@ struct SimulationConfig
   VehiclePlan vehicle;
   std::vector<WinchCommand> winch;
   double winch_acceleration = 0.2;  ///< [m/s^2], > 0.
+  bool winch_is_commanded = false;  ///< the winch also obeys rates from outside.
+  Squall squall;
   SensorModel vessel_sensor, vehicle_sensor;
   HeavePlan heave;             ///< with it, the vessel's measurements are published as odometry with covariance.
   double payout_rate = 10.0;   ///< reports of the winch per second [Hz]; 0: none.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -34,6 +35,12 @@ class Simulator
   /// Epoch of the clock that times count from [s]: waves are those of the clock. Before the first step.
   void setEpoch(double epoch) { model_ = model_.withEnvironment(model_.environment().withTimeOrigin(epoch)); }
 
+  /// Rate that the winch is to pay out at from now on [m/s], instead of its orders; NaN: back to them. Within 3
+  /// m/s.
+  void commandWinch(double rate) { commanded_rate_ = rate; }
+  /// Thrust on the vehicle from now on, its own axes, with VehicleControl::EXTERNAL; cut to its largest.
+  void commandThrust(const core::Wrench& thrust);
+
   /// Steps to time t [s], not before the last. @return false if the solver failed: the simulation has ended.
   bool advance(double t);
 
@@ -47,13 +54,17 @@ class Simulator
   core::EndForces endForces() const { return core::endForces(model_, state_); }
   const core::CableModel& model() const { return model_; }
   const core::CableState& state() const { return state_; }
+  /// Whether there are orders for the winch.
+  bool hasOrders() const { return !simulation_.winch.empty(); }
   /// Whether the winch moves at all in this scenario.
-  bool hasWinch() const { return !simulation_.winch.empty(); }
+  bool hasWinch() const { return simulation_.winch_is_commanded || !simulation_.winch.empty(); }
 
  private:
   double length() const { return model_.length(state_.deployment); }
   void start();
-  core::PayoutTrajectory orderedPayout(double dt);
+  double orderedRate(double dt) const;
+  core::PayoutTrajectory payOut(double dt);
+  void updateWind();
 
   monitor::Config config_;
   SimulationConfig simulation_;
@@ -63,7 +74,9 @@ class Simulator
   std::optional<VesselAutopilot> vessel_autopilot_;
   std::optional<VehicleAutopilot> vehicle_autopilot_;
   core::Wrench vehicle_thrust_;
-  double winch_rate_ = 0.0;  // [m/s]
+  double winch_rate_ = 0.0;                                           // [m/s]
+  double commanded_rate_ = std::numeric_limits<double>::quiet_NaN();  // [m/s]
+  bool in_squall_ = false;
 };
 
 }  // namespace tether_monitor::simulation

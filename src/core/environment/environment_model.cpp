@@ -64,6 +64,14 @@ EnvironmentModel EnvironmentModel::withObstacles(std::vector<Obstacle> obstacles
   return changed;
 }
 
+EnvironmentModel EnvironmentModel::withWind(const Vector3& wind) const
+{
+  EnvironmentModel changed = *this;
+  changed.environment_.wind = wind;
+  changed.has_wind_ = wind.norm() > 0.0;
+  return changed;
+}
+
 EnvironmentModel EnvironmentModel::withDepth(double depth) const
 {
   EnvironmentModel changed = *this;

@@ -38,6 +38,8 @@ class EnvironmentModel
   EnvironmentModel withObstacles(std::vector<Obstacle> obstacles) const;
   /// The same over a level floor. @param depth  [m], > 0, deep enough for the waves; there must be a seabed.
   EnvironmentModel withDepth(double depth) const;
+  /// The same in another wind [m/s]; it must be finite.
+  EnvironmentModel withWind(const Vector3& wind) const;
 
   double density() const { return environment_.water_density; }
   double gravity() const { return environment_.gravity; }

@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+"""Closed loops on the monitor's outputs, each beside the same run with the loop open."""
+import os
+import signal
+import subprocess
+import threading
+import time
+import unittest
+
+import rospkg
+import rospy
+import rostest
+import yaml
+from geometry_msgs.msg import PoseStamped, WrenchStamped
+from tether_monitor.msg import AlarmEvent, TetherState
+
+import common.old_rospy  # noqa: F401
+
+PACKAGE = rospkg.RosPack().get_path("tether_monitor")
+SPEED = 3.0      # simulated seconds per second
+LONGEST = 400.0  # [s], of the machine's clock, for a run
+
+
+def size(v):
+    return (v.x ** 2 + v.y ** 2 + v.z ** 2) ** 0.5
+
+
+class Run:
+    """A scenario with simulation, monitor and a controller (None: the loop is open) in a namespace of its own."""
+
+    def __init__(self, ns, scenario, simulated, controller, parameters):
+        with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
+            self.tree = yaml.safe_load(text)
+        self.tree["simulation"].update(clock=True, speed=SPEED)
+        self.ns, self.lock = "/" + ns, threading.Lock()
+        self.tension, self.places, self.states, self.events = [], [], [], []
+        for node in ("tether_sim", "tether_monitor"):
+            rospy.set_param("%s/%s" % (self.ns, node), self.tree)
+        rospy.set_param("/use_sim_time", True)
+        subscribers = [
+            rospy.Subscriber(self.ns + "/tether_sim/vessel_end/force", WrenchStamped, self.on_force, queue_size=1000),
+            rospy.Subscriber(self.ns + "/vehicle/pose", PoseStamped, self.keeper(self.places), queue_size=1000),
+            rospy.Subscriber(self.ns + "/tether_monitor/state", TetherState, self.keeper(self.states), queue_size=1000),
+            rospy.Subscriber(self.ns + "/tether_monitor/events", AlarmEvent, self.keeper(self.events), queue_size=1000)]
+        commands = [["rosrun", "tether_monitor", "tether_monitor_node", "__name:=tether_monitor"],
+                    ["rosrun", "tether_monitor", "tether_sim_node", "__name:=tether_sim"]]
+        if controller:
+            name = controller.replace(".py", "")
+            rospy.set_param("%s/%s" % (self.ns, name), parameters)
+            commands.insert(0, [PACKAGE + "/scripts/" + controller, "__name:=" + name])
+        nodes = [subprocess.Popen(command + ["__ns:=" + ns]) for command in commands]
+        deadline = time.time() + LONGEST
+        while time.time() < deadline and all(node.poll() is None for node in nodes):
+            with self.lock:
+                if self.tension and self.tension[-1][0] > simulated:
+                    break
+            time.sleep(0.2)
+        self.alive = all(node.poll() is None for node in nodes)
+        for node in nodes:
+            node.send_signal(signal.SIGINT)
+        for node in nodes:
+            node.wait(timeout=15.0)
+        for subscriber in subscribers:
+            subscriber.unregister()
+
+    def on_force(self, message):
+        with self.lock:
+            self.tension.append((message.header.stamp.to_sec(), size(message.wrench.force)))
+
+    def keeper(self, target):
+        def keep(message):
+            with self.lock:
+                target.append(message)
+        return keep
+
+
+def plot(name, curves, title, unit):
+    """Leaves a picture in the folder of the environment variable CLOSED_LOOPS_PLOTS, if there is one."""
+    folder = os.environ.get("CLOSED_LOOPS_PLOTS")
+    if not folder:
+        return
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(9.0, 4.0))
+    for label, points in curves:
+        axes.plot([p[0] for p in points], [p[1] for p in points], label=label, linewidth=0.8)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(unit)
+    axes.set_title(title)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, name + ".png"), dpi=110)
+
+
+class ClosedLoops(unittest.TestCase):
+    WINCH = {"reference": 9500.0, "damping": 8000.0, "usual_length": 250.0, "shortest": 200.0, "longest": 400.0,
+             "fastest": 3.0, "return_time": 60.0}
+    KEEPER = {"place": [25.0, 0.0, -40.0], "mass": 330.0, "inertia": [40.0, 60.0, 60.0], "bandwidth": 0.6}
+
+    def test_winch(self):
+        limit, end = 13000.0, 330.0
+        loops = {name: Run("winch_" + name, "winch_control", end, controller, self.WINCH)
+                 for name, controller in (("open", None), ("closed", "winch_controller.py"))}
+        above, slack = {}, {}
+        for name, loop in loops.items():
+            self.assertTrue(loop.alive, name)
+            points = [p for p in loop.tension if p[0] > 20.0]
+            self.assertGreater(len(points), 1000)
+            above[name] = sum(1 for _, tension in points if tension > limit) / len(points)
+            valid = [s for s in loop.states if s.status != TetherState.STATUS_INVALID and s.header.stamp.to_sec() > 20.0]
+            slack[name] = sum(1 for s in valid if min(s.tension) < 200.0) / len(valid)
+            rospy.logwarn("winch, loop %s: above the working load %.3f of the time, slack %.3f, largest %.0f N, length %.0f to "
+                  "%.0f m" % (name, above[name], slack[name], max(p[1] for p in points),
+                              min(s.length for s in valid), max(s.length for s in valid)))
+        plot("winch_control", [("loop " + name, loop.tension) for name, loop in loops.items()],
+             "Tension at the vessel, working load 13 kN", "N")
+        raised = {name: [e for e in loop.events if e.alarm.name == "over_tension" and e.to == 1]
+                  for name, loop in loops.items()}
+        self.assertGreater(above["open"], 0.005, "the scenario is worth a controller")
+        self.assertTrue(raised["open"], "without a controller it alarms")
+        self.assertLessEqual(above["closed"], 0.1 * above["open"])
+        self.assertEqual(slack["closed"], 0.0)
+
+    def test_feed_forward(self):
+        place, end, error = self.KEEPER["place"], 240.0, {}
+        curves = []
+        for name in ("without", "with"):
+            loop = Run("feed_" + name, "feed_forward", end, "station_keeper.py",
+                       dict(self.KEEPER, feed_forward=name == "with", balance=[0.0, 0.0, 0.0]))
+            self.assertTrue(loop.alive, name)
+            points = [(p.header.stamp.to_sec(), sum((getattr(p.pose.position, axis) - place[i]) ** 2
+                                                    for i, axis in enumerate("xyz")) ** 0.5) for p in loop.places]
+            settled = [distance for t, distance in points if t > 60.0]
+            self.assertGreater(len(settled), 1000)
+            error[name] = (sum(d ** 2 for d in settled) / len(settled)) ** 0.5
+            rospy.logwarn("station keeping %s feed-forward: position error %.3f m RMS, largest %.3f m",
+                          name, error[name], max(settled))
+            curves.append((name + " feed-forward", points))
+        plot("feed_forward", curves, "Distance of the ROV from its place", "m")
+        self.assertGreater(error["without"], 0.1, "the scenario is worth a feed-forward")
+        self.assertLessEqual(error["with"], 0.5 * error["without"])
+
+
+if __name__ == "__main__":
+    rospy.init_node("closed_loops", disable_signals=True)
+    rostest.rosrun("tether_monitor", "closed_loops", ClosedLoops)
