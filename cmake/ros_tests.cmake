@@ -11,7 +11,7 @@ foreach(unit cycle_statistics forecast_thread geometry_conversions input_adapter
 endforeach()
 
 foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jump shutdown message_fuzz input_faults
-        alarms forecast)
+        alarms bridge forecast)
   add_rostest_gtest(${scenario}_test test/ros/${scenario}.test test/ros/${scenario}_test.cpp)
   target_link_libraries(${scenario}_test tether_monitor_ros)
   target_include_directories(${scenario}_test PRIVATE ${PROJECT_SOURCE_DIR}/test)

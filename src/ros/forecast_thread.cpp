@@ -68,9 +68,10 @@ ForecastThread::ForecastThread(const monitor::Config& config, Ready ready)
     forecaster_(config),
     budget_(config.forecast),
     speed_(monitor::TetherForecast::NONE),
-    payout_rate_(monitor::TetherForecast::NONE),
-    thread_([this] { run(); })
+    payout_rate_(monitor::TetherForecast::NONE)
 {
+  forecaster_.stopWhen(is_over_);
+  thread_ = std::thread([this] { run(); });
 }
 
 ForecastThread::~ForecastThread()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -32,7 +33,7 @@ class ForecastBudget
 
 /**
  * A thread of low priority that makes forecasts, one at a time: the cycle that hands it a start never waits for
- * it. The destructor waits for the one that is under way.
+ * it. The destructor breaks off the one that is under way.
  */
 class ForecastThread
 {
@@ -66,7 +67,8 @@ class ForecastThread
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   Start waiting_;  // guarded by mutex_, as are those below
-  bool is_busy_ = false, is_over_ = false;
+  bool is_busy_ = false;
+  std::atomic<bool> is_over_{false};
   double last_ = -1e300;  // [s] of the last start
   ForecastBudget budget_;
   bool recommends_speed_ = true;  // of the thread: speed and pay-out take turns

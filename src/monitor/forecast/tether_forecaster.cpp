@@ -136,7 +136,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
     const double rate = payoutRate(start, actions, state.time, model.length(state.deployment));
     if (rate != 0.0 || (state.deployment.payout && state.deployment.payout->rate != 0.0))
       ends.payout = payOut(model, state, rate, t);
-    if (!stepper.advance(model, ends, t, state).converged() || !state.allFinite())
+    if (isStopped() || !stepper.advance(model, ends, t, state).converged() || !state.allFinite())
       return false;
     cable.update(model, state.deployment);
     core::computeStations(cable, state, estimate_.stations);

@@ -122,6 +122,53 @@ TEST(LoadCellCheck, FindsASnagAndItsPlace)
   }
 }
 
+// A tow in an irregular sea, two hours. The truth is not quite what is configured, and the cell is noisy.
+TEST(LoadCellCheck, FindsNoSnagInTwoHoursOfAnIrregularSea)
+{
+  Config config = coarseConfig();
+  config.tether.working_load = 3000.0;
+  Config real = config;
+  real.tether.drag_normal *= 1.2;
+  real.tether.mass_per_length *= 1.02;
+  real.tether.length *= 1.004;
+  TetherEstimator monitor(config), truth(real);
+  unsigned noise = 1;
+  long readings = 0, mismatches = 0, snags = 0;
+  for (long k = 0; k < 2 * 3600 * 10; ++k)
+  {
+    const double t = 100.0 + 0.1 * static_cast<double>(k);
+    double z = 1.0, vz = 0.0;
+    for (int wave = 0; wave < 12; ++wave)
+    {
+      const double w = 0.5 + 0.083 * wave, phase = w * t + 1.7 * wave * wave, amplitude = 0.3;
+      z += amplitude * std::sin(phase);
+      vz += amplitude * w * std::cos(phase);
+    }
+    const core::Vector3 way(1.5 * (t - 100.0), 0.0, 0.0), speed(1.5, 0.0, 0.0), still(0.0, 0.0, 0.0);
+    const Eigen::Quaterniond level = Eigen::Quaterniond::Identity();
+    for (TetherEstimator* estimator : {&truth, &monitor})
+    {
+      estimator->addVessel(PoseMeasurement{t, core::Vector3(way.x(), 0.0, z), level},
+                           TwistMeasurement{t, core::Vector3(1.5, 0.0, vz), still});
+      estimator->addVehicle(PoseMeasurement{t, core::Vector3(way.x() - 70.0, 0.0, -55.0), level},
+                            TwistMeasurement{t, speed, still});
+    }
+    truth.tick(t);
+    noise = noise * 1664525u + 1013904223u;
+    const double tension = truth.estimate().vessel_tension * (1.0 + 0.04 * (noise / 4294967296.0 - 0.5));
+    if (std::isfinite(tension))
+      monitor.addTension(t, tension);
+    monitor.tick(t);
+    const LoadCellCheck& cell = monitor.alarmInputs().loadCell();
+    readings += !std::isnan(cell.mismatch());
+    mismatches += mismatch(monitor).isActive();
+    snags += cell.cause() == MismatchCause::SNAG;
+  }
+  EXPECT_GT(readings, 70000);
+  EXPECT_EQ(snags, 0);
+  EXPECT_EQ(mismatches, 0);
+}
+
 TEST(LoadCellCheck, AnOffsetThatCameSlowlyOrStandsStillIsTheSensors)
 {
   Drift offset;

@@ -162,4 +162,17 @@ TEST(TetherForecaster, FollowsAPlanOfTheWinch)
   EXPECT_LT(with.probability_over_tension, 0.1);
 }
 
+TEST(TetherForecaster, EndsWhenItIsStopped)
+{
+  EstimatorFixture fixture(coarseConfig());
+  fixture.run(20.0);
+  const ForecastStart start = *fixture.estimator.forecastStart();
+  std::atomic<bool> stop{false};
+  TetherForecaster forecaster(coarseConfig());
+  forecaster.stopWhen(stop);
+  EXPECT_EQ(forecaster.run(start, HORIZON, 8).members, 8);
+  stop = true;
+  EXPECT_EQ(forecaster.run(start, HORIZON, 8).members, 0);
+}
+
 }  // namespace tether_monitor::monitor

@@ -56,4 +56,31 @@ TEST(VehicleMessage, CarriesTheWholeCovarianceInItsAxes)
       << "nothing estimates the attitude";
 }
 
+TEST(MessageConversions, TheWrenchOnTheVehicleIsInItsOwnAxesAboutItsReferencePoint)
+{
+  monitor::TetherEstimate e;
+  e.has_stations = true;
+  e.stations.ends.vehicle = {0.0, 100.0, 50.0};
+  e.vehicle_tension_stddev = 10.0;
+  monitor::BodyConfig body;
+  body.attachment = {0.0, 0.0, 0.5};
+  const Eigen::Quaterniond to_the_left(Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ()));  // its x is world y
+  WrenchWithCovarianceStamped message = bodyWrenchMessage(std_msgs::Header(), e, to_the_left, body);
+  EXPECT_NEAR(message.wrench.force.x, 100.0, 1e-9);
+  EXPECT_NEAR(message.wrench.force.y, 0.0, 1e-9);
+  EXPECT_NEAR(message.wrench.force.z, 50.0, 1e-9);
+  EXPECT_NEAR(message.wrench.torque.x, 0.0, 1e-9);
+  EXPECT_NEAR(message.wrench.torque.y, 50.0, 1e-9) << "0.5 m above, drawn forward: it pitches down";
+  EXPECT_NEAR(message.covariance[0], 100.0, 1e-9);
+  EXPECT_NEAR(message.covariance[6 * 4 + 4], 25.0, 1e-9);
+  EXPECT_NEAR(message.covariance[6 * 0 + 4], 50.0, 1e-9);
+  EXPECT_NEAR(message.covariance[6 * 5 + 5], 0.0, 1e-9);
+
+  body.body_axes = monitor::BodyAxes::FRD;
+  message = bodyWrenchMessage(std_msgs::Header(), e, to_the_left, body);
+  EXPECT_NEAR(message.wrench.force.z, -50.0, 1e-9);
+  EXPECT_NEAR(message.wrench.torque.y, -50.0, 1e-9);
+  EXPECT_TRUE(std::isnan(bodyWrenchMessage(std_msgs::Header(), e, std::nullopt, body).wrench.force.x));
+}
+
 }  // namespace tether_monitor

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include "tether_monitor/monitor/forecast/forecast_start.h"
 #include "tether_monitor/monitor/forecast/forecast_traces.h"
 
@@ -23,6 +25,9 @@ class TetherForecaster
  public:
   explicit TetherForecaster(const Config& config);
 
+  /// What runs ends soon, without members, once the flag is true; it must outlive its users.
+  void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
+
   /// @param horizon  [s], > 0. @param members  wanted, >= 2; those of the start are used evenly, or several times.
   /// @return         without members if more than a quarter of them could not be stepped.
   TetherForecast run(const ForecastStart& start, double horizon, int members,
@@ -43,6 +48,9 @@ class TetherForecaster
                       const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper);
   double probability(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
 
+  bool isStopped() const { return stop_ && *stop_; }
+
+  const std::atomic<bool>* stop_ = nullptr;
   ForecastLimits limits_;
   core::RigidBody body_;
   TetherEstimate estimate_;  // of one member at one time

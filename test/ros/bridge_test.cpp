@@ -1,0 +1,66 @@
+#include <geometry_msgs/Wrench.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <tether_monitor/WrenchWithCovarianceStamped.h>
+
+#include <cmath>
+
+#include "common/main.h"
+#include "common/ros_test_bench.h"
+
+using namespace tether_monitor;
+
+namespace
+{
+template <typename Message>
+class Last
+{
+ public:
+  explicit Last(const std::string& topic)
+  {
+    subscriber_ = nh_.subscribe<Message>(topic, 10,
+                                         [this](const typename Message::ConstPtr& message)
+                                         {
+                                           value = *message;
+                                           ++count;
+                                         });
+  }
+  Message value;
+  int count = 0;
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Subscriber subscriber_;
+};
+
+double sizeOf(const geometry_msgs::Vector3& v)
+{
+  return std::hypot(v.x, v.y, v.z);
+}
+}  // namespace
+
+TEST(Bridge, ASimulatorIsGivenTheForcesAndZerosWithoutAnEstimate)
+{
+  Last<geometry_msgs::Wrench> vessel("/sim/vessel/force"), vehicle("/sim/vehicle/force"),
+      body("/sim/vehicle/body_force");
+  Last<geometry_msgs::WrenchStamped> end("/rov1/tether_monitor/vehicle_end/force");
+  Last<WrenchWithCovarianceStamped> own("/rov1/tether_monitor/vehicle_end/wrench_body");
+  RosTestBench scenario;
+  scenario.run(2.0);
+  ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
+  ASSERT_TRUE(scenario.waitFor([&] { return own.count > 10 && body.count > 10; }, 2.0));
+  EXPECT_NEAR(sizeOf(vessel.value.force), scenario.state.vessel_tension, 1e-6 * scenario.state.vessel_tension);
+  EXPECT_NEAR(vehicle.value.force.x, end.value.wrench.force.x, 1e-9);
+  EXPECT_NEAR(vehicle.value.force.z, end.value.wrench.force.z, 1e-9);
+  EXPECT_NEAR(body.value.force.z, end.value.wrench.force.z, 1e-9) << "the vehicle is level";
+  EXPECT_NEAR(own.value.wrench.force.z, end.value.wrench.force.z, 1e-9);
+  EXPECT_EQ(own.value.header.frame_id, "base_link");
+  EXPECT_EQ(own.value.covariance[0], -1.0) << "not known in mode tracked";
+
+  scenario.vessel_alive = scenario.vehicle_alive = false;
+  scenario.run(8.0);
+  ASSERT_EQ(scenario.state.status, TetherState::STATUS_INVALID) << "precondition";
+  ASSERT_TRUE(scenario.waitFor([&] { return sizeOf(vehicle.value.force) == 0.0; }, 2.0));
+  EXPECT_EQ(sizeOf(vessel.value.force), 0.0);
+  EXPECT_EQ(sizeOf(body.value.force), 0.0);
+  EXPECT_TRUE(std::isnan(own.value.wrench.force.x));
+}
