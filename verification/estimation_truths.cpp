@@ -208,6 +208,7 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
   core::AdaptiveStepper stepper(model, options);
   const int count = static_cast<int>(std::lround(c.duration / truth.step));
   core::DeployedCable cable(model, state.deployment);
+  Vector3 thrust = uncertain.is_towed ? Vector3(Vector3::Zero()) : pilot.integral;
   for (int i = 0; i <= count; ++i)
   {
     const double t = truth.timeOf(i);
@@ -218,13 +219,15 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
       core::BoundaryConditions ends;
       ends.vessel = core::EndTrajectory::between(state.time, vesselAt(c, state.time), t, vesselAt(c, t));
       if (!uncertain.is_towed)
-        ends.vehicle_force = pilot.steer(body, wayOf(uncertain, t), centreOf(state), truth.step);
+        thrust = ends.vehicle_force = pilot.steer(body, wayOf(uncertain, t), centreOf(state), truth.step);
       if (!stepper.advance(model, ends, t, state).converged())
         throw std::runtime_error("case " + c.name + " has no solution at " + std::to_string(t) + " s");
     }
     const core::EndForces forces = core::endForces(cable, state);
     truth.vessel.push_back(vesselAt(c, t));
     truth.vehicle.push_back(monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero()));
+    if (uncertain.reports_thrust)
+      truth.thrust.push_back({truth.vehicle.back().orientation.conjugate() * thrust, Vector3::Zero()});
     truth.vessel_tension.push_back(forces.vessel.norm());
     truth.vehicle_tension.push_back(forces.vehicle.norm());
   }

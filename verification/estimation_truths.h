@@ -12,8 +12,8 @@ namespace tether_monitor::bench
 struct UncertainCase
 {
   Case of;
-  bool is_towed =
-      true;  ///< else a vehicle under its own thrust, which is not reported, keeps to a place or a way.
+  bool is_towed = true;               ///< else a vehicle under its own thrust keeps to a place or a way.
+  bool reports_thrust = false;        ///< that thrust is told to the estimator.
   double manoeuvre = 0.0;             ///< speed of that way [m/s].
   double force_stddev = 165.0;        ///< told of the unknown force [N].
   monitor::UncertaintyConfig told;    ///< what is told to the estimator, and what truths are drawn from.

@@ -5,11 +5,11 @@
 
 namespace tether_monitor::bench
 {
-/// A dive in which the tension may pass the working load.
+/// A dive in which the tension passes a working load that is drawn from between what it is before and after a
+/// change.
 struct ForecastCase
 {
   UncertainCase of;
-  double working_load = 0.0;  ///< [N]
 };
 
 /// A tow that speeds up, one whose vessel begins to heave, a vehicle that runs off, a vessel that sets off.

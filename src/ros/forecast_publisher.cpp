@@ -109,7 +109,7 @@ ForecastPublisher::~ForecastPublisher()
 
 std_msgs::Header ForecastPublisher::headerOf(double t) const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<PriorityMutex> lock(mutex_);
   std_msgs::Header header;
   header.stamp = time_.stamp(t);
   header.frame_id = frame_;
@@ -118,7 +118,7 @@ std_msgs::Header ForecastPublisher::headerOf(double t) const
 
 double ForecastPublisher::probability(double t) const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<PriorityMutex> lock(mutex_);
   const bool is_of_now = t >= probability_t_ && t - probability_t_ < LONGEST_VALID;
   return is_of_now ? probability_ : std::nan("");
 }
@@ -126,7 +126,7 @@ double ForecastPublisher::probability(double t) const
 void ForecastPublisher::publish(const monitor::TetherForecast& forecast)
 {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     probability_t_ = forecast.t;
     probability_ = forecast.members > 0 ? forecast.probability_over_tension : std::nan("");
   }
@@ -145,7 +145,7 @@ void ForecastPublisher::offer(const monitor::TetherEstimator& estimator, const T
   if (start)
     shared = std::make_shared<const monitor::ForecastStart>(std::move(*start));
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     time_ = time;
     latest_ = shared;
   }
@@ -163,7 +163,7 @@ bool ForecastPublisher::answer(WhatIf::Request& request, WhatIf::Response& respo
 {
   ForecastThread::Start start;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     start = latest_;
   }
   response.message = problemOf(request);

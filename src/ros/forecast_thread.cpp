@@ -77,7 +77,7 @@ ForecastThread::ForecastThread(const monitor::Config& config, Ready ready)
 ForecastThread::~ForecastThread()
 {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     is_over_ = true;
   }
   wake_.notify_all();
@@ -86,14 +86,14 @@ ForecastThread::~ForecastThread()
 
 bool ForecastThread::isDue(double t) const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<PriorityMutex> lock(mutex_);
   return !is_busy_ && config_.forecast.rate > 0.0 && (t >= last_ + budget_.interval() - 1e-6 || t < last_);
 }
 
 void ForecastThread::submit(Start start)
 {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     if (is_busy_)
       return;
     is_busy_ = true;
@@ -105,7 +105,7 @@ void ForecastThread::submit(Start start)
 
 ForecastBudget ForecastThread::budget() const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<PriorityMutex> lock(mutex_);
   return budget_;
 }
 
@@ -116,7 +116,7 @@ void ForecastThread::run()
   {
     Start start;
     {
-      std::unique_lock<std::mutex> lock(mutex_);
+      std::unique_lock<PriorityMutex> lock(mutex_);
       wake_.wait(lock, [this] { return waiting_ || is_over_; });
       if (is_over_)
         return;
@@ -125,7 +125,7 @@ void ForecastThread::run()
     }
     const double began = wallTime();
     forecast(*start);
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     budget_.note(wallTime() - began);
     is_busy_ = false;
   }

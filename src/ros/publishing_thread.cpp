@@ -4,34 +4,31 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr std::size_t MOST_WAITING = 4;  // outputs of which all is published
-}
+constexpr std::size_t MOST_WAITING = 4;   // outputs of which all is published
+constexpr double ROOM_INTERVAL = 1.0e-3;  // [s] between looks for a free place
+}  // namespace
 
-PublishingThread::PublishingThread(OutputPublisher& publisher) : publisher_(publisher), thread_([this] { run(); })
+PublishingThread::PublishingThread(OutputPublisher& publisher) : publisher_(publisher)
 {
+  sem_init(&waiting_, 0, 0);
+  thread_ = std::thread([this] { run(); });
 }
 
 PublishingThread::~PublishingThread()
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_over_ = true;
-  }
-  wake_.notify_all();
-  room_.notify_all();
+  is_over_ = true;
+  sem_post(&waiting_);
   thread_.join();
+  sem_destroy(&waiting_);
 }
 
-// One place is always free for the next output: a cycle waits only if seven of them have not been published.
+// One place is always free for the next output.
 void PublishingThread::submit()
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ++filled_;
-  }
-  wake_.notify_one();
-  std::unique_lock<std::mutex> lock(mutex_);
-  room_.wait(lock, [this] { return filled_ - published_ < outputs_.size() || is_over_; });
+  ++filled_;
+  sem_post(&waiting_);
+  while (filled_ - published_ >= outputs_.size() && !is_over_)
+    ros::WallDuration(ROOM_INTERVAL).sleep();
 }
 
 PublishingReport PublishingThread::report() const
@@ -44,21 +41,13 @@ void PublishingThread::run()
 {
   for (;;)
   {
-    std::size_t number, waiting;
+    while (sem_wait(&waiting_) != 0)
     {
-      std::unique_lock<std::mutex> lock(mutex_);
-      wake_.wait(lock, [this] { return published_ < filled_ || is_over_; });
-      if (is_over_)
-        return;
-      number = published_;
-      waiting = filled_ - published_;
     }
-    publish(outputs_[number % outputs_.size()], waiting > MOST_WAITING);
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      ++published_;
-    }
-    room_.notify_one();
+    if (is_over_)
+      return;
+    publish(outputs_[published_ % outputs_.size()], filled_ - published_ > MOST_WAITING);
+    ++published_;
   }
 }
 
@@ -70,13 +59,12 @@ void PublishingThread::publish(CycleOutput& output, bool is_behind)
   if (!is_behind)
     publisher_.publishNumbers(output);
   const double latency = output.received.isZero() ? -1.0 : (ros::WallTime::now() - output.received).toSec();
-  bool has_time;
+  const bool has_time = published_ + 1 == filled_;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (latency >= 0.0 && !is_behind)
       report_.input_to_output.add(latency);
     report_.shed_outputs += is_behind;
-    has_time = published_ + 1 == filled_;
     report_.shed_markers += !has_time;
   }
   if (has_time)

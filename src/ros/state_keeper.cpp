@@ -32,7 +32,7 @@ StateKeeper::~StateKeeper()
   if (!thread_.joinable())
     return;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     is_over_ = true;
   }
   wake_.notify_all();
@@ -59,7 +59,7 @@ void StateKeeper::submit(double t, KeptState state)
 {
   submitted_ = t;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<PriorityMutex> lock(mutex_);
     waiting_ = std::move(state);
   }
   wake_.notify_one();
@@ -67,7 +67,7 @@ void StateKeeper::submit(double t, KeptState state)
 
 std::string StateKeeper::problem() const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<PriorityMutex> lock(mutex_);
   return problem_;
 }
 
@@ -91,7 +91,7 @@ std::string StateKeeper::write(const KeptState& state) const
 
 void StateKeeper::run()
 {
-  std::unique_lock<std::mutex> lock(mutex_);
+  std::unique_lock<PriorityMutex> lock(mutex_);
   for (;;)
   {
     wake_.wait(lock, [this] { return waiting_ || is_over_; });

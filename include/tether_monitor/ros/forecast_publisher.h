@@ -10,6 +10,7 @@
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/forecast_thread.h"
+#include "tether_monitor/ros/priority_mutex.h"
 #include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
@@ -43,7 +44,7 @@ class ForecastPublisher
   ros::NodeHandle nh_;    // with the queue of its own
   ros::CallbackQueue queue_;
   ros::Publisher publisher_;
-  mutable std::mutex mutex_;
+  mutable PriorityMutex mutex_;
   TimeOrigin time_;                                    // guarded by mutex_
   ForecastThread::Start latest_;                       // likewise
   double probability_t_ = -1e300, probability_ = 0.0;  // likewise; of the last forecast

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tether_monitor/monitor/forecast/tether_forecaster.h"
+#include "tether_monitor/ros/priority_mutex.h"
 
 namespace tether_monitor
 {
@@ -64,8 +65,8 @@ class ForecastThread
   const monitor::Config config_;
   const Ready ready_;
   monitor::TetherForecaster forecaster_;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
+  mutable PriorityMutex mutex_;
+  std::condition_variable_any wake_;
   Start waiting_;  // guarded by mutex_, as are those below
   bool is_busy_ = false;
   std::atomic<bool> is_over_{false};

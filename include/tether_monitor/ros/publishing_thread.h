@@ -1,7 +1,9 @@
 #pragma once
 
+#include <semaphore.h>
+
 #include <array>
-#include <condition_variable>
+#include <atomic>
 #include <mutex>
 #include <thread>
 
@@ -23,7 +25,8 @@ class PublishingThread
   PublishingThread(const PublishingThread&) = delete;
   PublishingThread& operator=(const PublishingThread&) = delete;
 
-  /// A place for the next output, with the memory of an old one; for one caller. submit() hands it over.
+  /// A place for the next output, with the memory of an old one; for one caller. submit() hands it over, and waits
+  /// for nothing unless seven outputs have not been published.
   CycleOutput& next() { return outputs_[filled_ % outputs_.size()]; }
   void submit();
   PublishingReport report() const;
@@ -34,11 +37,11 @@ class PublishingThread
 
   OutputPublisher& publisher_;
   std::array<CycleOutput, 8> outputs_;
+  std::atomic<std::size_t> filled_{0}, published_{0};
+  std::atomic<bool> is_over_{false};
+  sem_t waiting_;  // counts the outputs that are not published
   mutable std::mutex mutex_;
-  std::condition_variable wake_, room_;
-  std::size_t filled_ = 0, published_ = 0;  // guarded by mutex_; `filled_` is written by the caller alone
-  bool is_over_ = false;                    // guarded by mutex_
-  PublishingReport report_;                 // guarded by mutex_
+  PublishingReport report_;  // guarded by mutex_, which the caller of submit() never takes
   std::thread thread_;
 };
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "tether_monitor/ros/priority_mutex.h"
 #include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
@@ -52,8 +53,8 @@ class StateKeeper
 
   const std::string path_;
   double submitted_ = -1e300;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
+  mutable PriorityMutex mutex_;
+  std::condition_variable_any wake_;
   std::optional<KeptState> waiting_;  // guarded by mutex_, as are those below
   std::string problem_;
   bool is_over_ = false;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "support/estimator_fixture.h"
+#include "support/navigation_fixture.h"
 
 namespace tether_monitor::monitor
 {
@@ -167,6 +167,30 @@ TEST(LoadCellCheck, FindsNoSnagInTwoHoursOfAnIrregularSea)
   EXPECT_GT(readings, 70000);
   EXPECT_EQ(snags, 0);
   EXPECT_EQ(mismatches, 0);
+}
+
+// In mode observed, against the ensemble's own prediction: the cell pulls ever harder while the vehicle stays.
+TEST(LoadCellCheck, FindsASnagInModeObservedWithinFiveSeconds)
+{
+  NavigationFixture sea;
+  sea.run(20.0);
+  const auto pull = [&](double extra)
+  {
+    sea.estimator.addTension(sea.t,
+                             sea.estimator.estimate().vessel_tension * (1.0 + 0.01 * sea.noise().x()) + extra);
+    sea.run(0.1);
+  };
+  for (int k = 0; k < 600; ++k)
+  {
+    pull(0.0);
+    ASSERT_EQ(sea.estimator.alarmInputs().loadCell().cause(), MismatchCause::NONE) << "at " << sea.t;
+  }
+  const double caught = sea.t;
+  while (sea.t < caught + 10.0 && !mismatch(sea.estimator).isActive())
+    pull(200.0 * (sea.t - caught));
+  std::cout << "found after " << sea.t - caught << " s\n";
+  EXPECT_LT(sea.t - caught, 5.0);
+  EXPECT_EQ(sea.estimator.alarmInputs().loadCell().cause(), MismatchCause::SNAG);
 }
 
 TEST(LoadCellCheck, AnOffsetThatCameSlowlyOrStandsStillIsTheSensors)
