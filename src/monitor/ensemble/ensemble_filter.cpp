@@ -273,7 +273,12 @@ bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vecto
   const core::Matrix3 spread = covarianceOf(sight_.predicted);
   const core::Matrix3 S = motion_.innovationCovariance(sight_.jacobian, sight_.noise) + spread;
   if (fix.kind == VehicleMeasurement::Kind::TENSION)
-    tension_residual_ = {fix.t, fix.value.value().x(), fix.value.value().x() - innovation.x(), std::sqrt(S(0, 0))};
+  {
+    // Of this reading alone: in S it counts only for its share of those that tell the same.
+    const double shared = sight_.noise(0, 0) * (1.0 - 1.0 / tension_rate_.repeatsIn(TENSION_MEMORY));
+    const double measured = fix.value.value().x();
+    tension_residual_ = {fix.t, measured, measured - innovation.x(), std::sqrt(S(0, 0) - shared)};
+  }
   switch (gate_.evaluate(fix, innovation, S, spread))
   {
     case InnovationGate::Verdict::ACCEPT:
