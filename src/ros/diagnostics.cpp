@@ -204,14 +204,14 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
     status.addf("Failures of " + what, "%ld, last: %s", failure.count, failure.last_reason.c_str());
 }
 
-void diagnoseTiming(const DiagnosticInputs& inputs, const PublishingReport& publishing,
-                    diagnostic_updater::DiagnosticStatusWrapper& status)
+void diagnoseTiming(const DiagnosticInputs& inputs, const CycleStatistics& cycles,
+                    const PublishingReport& publishing, diagnostic_updater::DiagnosticStatusWrapper& status)
 {
   using Level = diagnostic_msgs::DiagnosticStatus;
   constexpr double MANY = 0.05;  // of the cycles
   status.summary(Level::OK, "on time");
-  if (inputs.late_share > MANY)
-    status.summaryf(Level::WARN, "%.0f %% of the last cycles came late or not at all", 100.0 * inputs.late_share);
+  if (cycles.lateShare() > MANY)
+    status.summaryf(Level::WARN, "%.0f %% of the last cycles came late or not at all", 100.0 * cycles.lateShare());
   if (!inputs.realtime_refusal.empty())
     status.mergeSummary(Level::WARN, "monitor.realtime: " + inputs.realtime_refusal);
   if (!inputs.state_file_problem.empty())
@@ -223,8 +223,8 @@ void diagnoseTiming(const DiagnosticInputs& inputs, const PublishingReport& publ
     status.addf(name, "p50 %.3f, p99 %.3f, max %.3f ms", 1e3 * latency.quantile(0.5), 1e3 * latency.quantile(0.99),
                 1e3 * latency.most());
   };
-  status.addf("Cycles", "%ld, %ld missed", inputs.cycles, inputs.missed);
-  add("Wake-up after its time", inputs.lateness);
+  status.addf("Cycles", "%ld, %ld missed", cycles.cycles(), cycles.missed());
+  add("Wake-up after its time", cycles.lateness());
   add("Input to output", publishing.input_to_output);
   status.add("Outputs without markers for want of time", publishing.shed_markers);
   status.add("Outputs left out for want of time", publishing.shed_outputs);

@@ -27,6 +27,12 @@ EstimatorRunner::EstimatorRunner(const monitor::Config& config)
   estimator_.setBackgroundStart(true);
 }
 
+CycleStatistics EstimatorRunner::statistics()
+{
+  const std::lock_guard<PriorityMutex> lock(mutex_);
+  return statistics_;
+}
+
 TimeOrigin EstimatorRunner::timeOrigin()
 {
   const std::lock_guard<PriorityMutex> lock(mutex_);
@@ -184,10 +190,6 @@ void EstimatorRunner::noteCycle(const ros::Time& now, double lateness)
   if (!last_cycle_.isZero() && since_last > 0.0)
     statistics_.add(std::max(lateness, ros::Time::isSimTime() ? since_last - period : 0.0));
   last_cycle_ = now;
-  diagnostics_.cycles = statistics_.cycles();
-  diagnostics_.missed = statistics_.missed();
-  diagnostics_.late_share = statistics_.lateShare();
-  diagnostics_.lateness = statistics_.lateness();
 }
 
 bool EstimatorRunner::cycle(const ros::Time& now, double lateness, CycleOutput& output)

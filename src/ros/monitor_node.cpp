@@ -116,7 +116,7 @@ void MonitorNode::addDiagnostics()
                {
                  const DiagnosticInputs inputs = runner_.access(
                      [](const monitor::TetherEstimator&, const DiagnosticInputs& now) { return now; });
-                 diagnoseTiming(inputs, publishing_.report(), status);
+                 diagnoseTiming(inputs, runner_.statistics(), publishing_.report(), status);
                });
   diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(DIAGNOSTIC_PERIOD),
                                            [this](const ros::WallTimerEvent&)

@@ -30,11 +30,7 @@ struct DiagnosticInputs
   std::map<std::string, InputStatistics> statistics;  ///< by topic.
   TimeOrigin time;                                    ///< of the estimator's seconds.
   double worst_step_time = 0.0;                       ///< [s] since the start.
-  long cycles = 0;
-  long missed = 0;                     ///< cycles that should have been and were not.
-  double late_share = 0.0;             ///< of the cycles of the last ten seconds, missed or late [-].
-  LatencyStatistics lateness;          ///< of the wake-up [s].
-  long lost_messages = 0;              ///< for want of room between two cycles.
+  long lost_messages = 0;                             ///< for want of room between two cycles.
   std::string realtime_refusal;        ///< what the machine refused of monitor.realtime; empty: nothing.
   std::string state_file_problem;      ///< empty: none.
   bool clock_stands = false;           ///< time has not gone on since the last update.
@@ -51,8 +47,8 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
               diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Fills a status with how punctual cycles and outputs are; WARN when more than one cycle in twenty is late.
-void diagnoseTiming(const DiagnosticInputs& inputs, const PublishingReport& publishing,
-                    diagnostic_updater::DiagnosticStatusWrapper& status);
+void diagnoseTiming(const DiagnosticInputs& inputs, const CycleStatistics& cycles,
+                    const PublishingReport& publishing, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// How near the waves' frequency is to a natural one, 1: the same; NaN: not known, or there are no waves.
 double nearnessOfResonance(const monitor::VibrationReport& report);

@@ -48,6 +48,8 @@ class EstimatorRunner
   /// Of the configuration, which never changes.
   const monitor::Config& config() const { return estimator_.config(); }
   TimeOrigin timeOrigin();
+  /// How punctual the cycles are, copied.
+  CycleStatistics statistics();
 
  private:
   template <typename Work>
