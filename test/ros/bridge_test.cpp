@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/last_message.h"
 #include "common/main.h"
 #include "common/ros_test_bench.h"
 
@@ -11,27 +12,6 @@ using namespace tether_monitor;
 
 namespace
 {
-template <typename Message>
-class Last
-{
- public:
-  explicit Last(const std::string& topic)
-  {
-    subscriber_ = nh_.subscribe<Message>(topic, 10,
-                                         [this](const typename Message::ConstPtr& message)
-                                         {
-                                           value = *message;
-                                           ++count;
-                                         });
-  }
-  Message value;
-  int count = 0;
-
- private:
-  ros::NodeHandle nh_;
-  ros::Subscriber subscriber_;
-};
-
 double sizeOf(const geometry_msgs::Vector3& v)
 {
   return std::hypot(v.x, v.y, v.z);
@@ -40,10 +20,10 @@ double sizeOf(const geometry_msgs::Vector3& v)
 
 TEST(Bridge, ASimulatorIsGivenTheForcesAndZerosWithoutAnEstimate)
 {
-  Last<geometry_msgs::Wrench> vessel("/sim/vessel/force"), vehicle("/sim/vehicle/force"),
+  LastMessage<geometry_msgs::Wrench> vessel("/sim/vessel/force"), vehicle("/sim/vehicle/force"),
       body("/sim/vehicle/body_force");
-  Last<geometry_msgs::WrenchStamped> end("/rov1/tether_monitor/vehicle_end/force");
-  Last<WrenchWithCovarianceStamped> own("/rov1/tether_monitor/vehicle_end/wrench_body");
+  LastMessage<geometry_msgs::WrenchStamped> end("/rov1/tether_monitor/vehicle_end/force");
+  LastMessage<WrenchWithCovarianceStamped> own("/rov1/tether_monitor/vehicle_end/wrench_body");
   RosTestBench scenario;
   scenario.run(2.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";

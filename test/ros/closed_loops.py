@@ -1,10 +1,7 @@
 #!/usr/bin/python3
 """Closed loops on the monitor's outputs, each beside the same run with the loop open."""
 import os
-import signal
-import subprocess
 import threading
-import time
 import unittest
 
 import rospkg
@@ -15,6 +12,7 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 from tether_monitor.msg import AlarmEvent, TetherState
 
 import common.old_rospy  # noqa: F401
+from common.nodes import run_until, start
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
 SPEED = 5.0      # simulated seconds per second
@@ -42,26 +40,19 @@ class Run:
             rospy.Subscriber(self.ns + "/vehicle/pose", PoseStamped, self.keeper(self.places), queue_size=1000),
             rospy.Subscriber(self.ns + "/tether_monitor/state", TetherState, self.keeper(self.states), queue_size=1000),
             rospy.Subscriber(self.ns + "/tether_monitor/events", AlarmEvent, self.keeper(self.events), queue_size=1000)]
-        commands = [["rosrun", "tether_monitor", "tether_monitor_node", "__name:=tether_monitor"],
-                    ["rosrun", "tether_monitor", "tether_sim_node", "__name:=tether_sim"]]
+        commands = ["tether_monitor_node __name:=tether_monitor", "tether_sim_node __name:=tether_sim"]
         if controller:
             name = controller.replace(".py", "")
             rospy.set_param("%s/%s" % (self.ns, name), parameters)
             commands.insert(0, [PACKAGE + "/scripts/" + controller, "__name:=" + name])
-        nodes = [subprocess.Popen(command + ["__ns:=" + ns]) for command in commands]
-        deadline = time.time() + LONGEST
-        while time.time() < deadline and all(node.poll() is None for node in nodes):
-            with self.lock:
-                if self.tension and self.tension[-1][0] > simulated:
-                    break
-            time.sleep(0.2)
-        self.alive = all(node.poll() is None for node in nodes)
-        for node in nodes:
-            node.send_signal(signal.SIGINT)
-        for node in nodes:
-            node.wait(timeout=15.0)
+        self.alive = all(run_until(start(ns, *commands), lambda: self.time() > simulated, LONGEST))
         for subscriber in subscribers:
             subscriber.unregister()
+
+    def time(self):
+        """Simulated, of the last force [s]."""
+        with self.lock:
+            return self.tension[-1][0] if self.tension else 0.0
 
     def on_force(self, message):
         with self.lock:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/last_message.h"
 #include "common/main.h"
 #include "common/ros_test_bench.h"
 
@@ -13,24 +14,7 @@ namespace
 {
 constexpr double NOT_GIVEN = std::numeric_limits<double>::quiet_NaN();
 
-struct Forecasts
-{
-  Forecasts()
-  {
-    subscriber_ = nh_.subscribe<TetherForecast>("/rov1/tether_monitor/forecast", 100,
-                                                [this](const TetherForecast::ConstPtr& message)
-                                                {
-                                                  last = *message;
-                                                  ++count;
-                                                });
-  }
-  TetherForecast last;
-  int count = 0;
-
- private:
-  ros::NodeHandle nh_;
-  ros::Subscriber subscriber_;
-};
+const std::string FORECAST = "/rov1/tether_monitor/forecast";
 
 WhatIf asItIs()
 {
@@ -51,7 +35,7 @@ bool ask(WhatIf& call)
 TEST(Forecast, ComesBeforeTheAlarm)
 {
   RosTestBench scenario;
-  Forecasts forecasts;
+  LastMessage<TetherForecast> forecasts(FORECAST);
   WhatIf call = asItIs();
   ASSERT_TRUE(ask(call));
   EXPECT_FALSE(call.response.success) << "nothing to begin with";
@@ -59,11 +43,11 @@ TEST(Forecast, ComesBeforeTheAlarm)
 
   scenario.run(12.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.count > 0 && forecasts.last.members > 0; }, 5.0));
-  EXPECT_EQ(forecasts.last.probability_over_tension, 0.0);
-  EXPECT_EQ(forecasts.last.time.size(), forecasts.last.max_tension_p95.size());
-  EXPECT_EQ(forecasts.last.horizon, 30.0);
-  EXPECT_GT(forecasts.last.computing_time, 0.0);
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.count > 0 && forecasts.value.members > 0; }, 5.0));
+  EXPECT_EQ(forecasts.value.probability_over_tension, 0.0);
+  EXPECT_EQ(forecasts.value.time.size(), forecasts.value.max_tension_p95.size());
+  EXPECT_EQ(forecasts.value.horizon, 30.0);
+  EXPECT_GT(forecasts.value.computing_time, 0.0);
 
   EXPECT_TRUE(scenario.diagnosticsSay("members every"));
 
@@ -75,10 +59,10 @@ TEST(Forecast, ComesBeforeTheAlarm)
   {
     scenario.run(0.05);
     ros::WallDuration(0.03).sleep();  // a forecast takes its time, however fast that passes here
-    if (std::isnan(warned) && forecasts.last.probability_over_tension > 0.5)
+    if (std::isnan(warned) && forecasts.value.probability_over_tension > 0.5)
     {
       warned = scenario.time;
-      expected = forecasts.last.header.stamp.toSec() + forecasts.last.time_to_limit;
+      expected = forecasts.value.header.stamp.toSec() + forecasts.value.time_to_limit;
     }
   }
   ASSERT_TRUE(scenario.over_tension);
@@ -89,11 +73,11 @@ TEST(Forecast, ComesBeforeTheAlarm)
 TEST(Forecast, WhatIfThereWereMoreTether)
 {
   RosTestBench scenario;
-  Forecasts forecasts;
+  LastMessage<TetherForecast> forecasts(FORECAST);
   scenario.run(12.0);
   scenario.vehicle_velocity = {0.4, 0.0, -0.25};
   scenario.run(7.0);
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.last.probability_over_tension > 0.5; }, 5.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.probability_over_tension > 0.5; }, 5.0));
   WhatIf as_now = asItIs(), paying_out = asItIs(), foolish = asItIs();
   paying_out.request.payout_rate = 1.0;
   const ros::WallTime began = ros::WallTime::now();
@@ -113,13 +97,13 @@ TEST(Forecast, WhatIfThereWereMoreTether)
 TEST(Forecast, AnInvalidEstimateHasNone)
 {
   RosTestBench scenario;
-  Forecasts forecasts;
+  LastMessage<TetherForecast> forecasts(FORECAST);
   scenario.run(12.0);
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.last.members > 0; }, 5.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.members > 0; }, 5.0));
   scenario.vehicle_alive = false;
   scenario.run(8.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_INVALID) << "precondition";
-  EXPECT_TRUE(scenario.waitFor([&] { return forecasts.last.members == 0; }, 3.0));
-  EXPECT_TRUE(forecasts.last.time.empty());
-  EXPECT_TRUE(std::isnan(forecasts.last.probability_over_tension));
+  EXPECT_TRUE(scenario.waitFor([&] { return forecasts.value.members == 0; }, 3.0));
+  EXPECT_TRUE(forecasts.value.time.empty());
+  EXPECT_TRUE(std::isnan(forecasts.value.probability_over_tension));
 }

@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 import collections
-import signal
-import subprocess
 import threading
-import time
 import unittest
 
 import rospkg
@@ -15,6 +12,7 @@ from geometry_msgs.msg import WrenchStamped
 from tether_monitor.msg import ContactArray, TetherState
 
 import common.old_rospy  # noqa: F401
+from common.nodes import run_until, start
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
 WORDS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}
@@ -55,19 +53,13 @@ class SimScenarios(unittest.TestCase):
             rospy.Subscriber(ns + "/tether_monitor/contacts", ContactArray, keep(contacts), queue_size=1000),
             rospy.Subscriber("/diagnostics", DiagnosticArray, keep(diagnostics), queue_size=1000)]
         rospy.set_param("/use_sim_time", True)
-        nodes = [subprocess.Popen(["rosrun", "tether_monitor", kind, "__ns:=" + ns[1:], "__name:=" + name])
-                 for kind, name in (("tether_monitor_node", "tether_monitor"), ("tether_sim_node", "tether_sim"))]
-        deadline = time.time() + 60.0
-        while time.time() < deadline and all(node.poll() is None for node in nodes):
+
+        def is_over():
             with lock:
-                if states and states[-1].header.stamp.to_sec() > simulated:
-                    break
-            time.sleep(0.1)
-        alive = [node.poll() is None for node in nodes]
-        for node in nodes:
-            node.send_signal(signal.SIGINT)
-        for node in nodes:
-            node.wait(timeout=10.0)
+                return states and states[-1].header.stamp.to_sec() > simulated
+
+        nodes = start(ns[1:], "tether_monitor_node __name:=tether_monitor", "tether_sim_node __name:=tether_sim")
+        alive = run_until(nodes, is_over, 60.0)
         for subscriber in subscribers:
             subscriber.unregister()
         self.assertEqual(alive, [True, True], "a node ended early")
