@@ -84,14 +84,15 @@ def plot(name, curves, title, unit):
     figure.savefig(os.path.join(folder, name + ".png"), dpi=110)
 
 
-class ClosedLoops(unittest.TestCase):
-    WINCH = {"reference": 9500.0, "damping": 8000.0, "usual_length": 250.0, "shortest": 200.0, "longest": 400.0,
-             "fastest": 3.0, "return_time": 60.0}
-    KEEPER = {"place": [25.0, 0.0, -40.0], "mass": 330.0, "inertia": [40.0, 60.0, 60.0], "bandwidth": 0.6}
+def parameters_of(controller):
+    with open(PACKAGE + "/launch/controllers/%s.yaml" % controller) as text:
+        return yaml.safe_load(text)
 
+
+class ClosedLoops(unittest.TestCase):
     def test_winch(self):
         limit, end = 13000.0, 285.0
-        loops = {name: Run("winch_" + name, "winch_control", end, controller, self.WINCH)
+        loops = {name: Run("winch_" + name, "winch_control", end, controller, parameters_of("winch_controller"))
                  for name, controller in (("open", None), ("closed", "winch_controller.py"))}
         above, slack = {}, {}
         for name, loop in loops.items():
@@ -114,13 +115,13 @@ class ClosedLoops(unittest.TestCase):
         self.assertEqual(slack["closed"], 0.0)
 
     def test_feed_forward(self):
-        place, end, error = self.KEEPER["place"], 200.0, {}
+        keeper, end, error = parameters_of("station_keeper"), 200.0, {}
         curves = []
         for name in ("without", "with"):
             loop = Run("feed_" + name, "feed_forward", end, "station_keeper.py",
-                       dict(self.KEEPER, feed_forward=name == "with", balance=[0.0, 0.0, 0.0]))
+                       dict(keeper, feed_forward=name == "with"))
             self.assertTrue(loop.alive, name)
-            points = [(p.header.stamp.to_sec(), sum((getattr(p.pose.position, axis) - place[i]) ** 2
+            points = [(p.header.stamp.to_sec(), sum((getattr(p.pose.position, axis) - keeper["place"][i]) ** 2
                                                     for i, axis in enumerate("xyz")) ** 0.5) for p in loop.places]
             settled = [distance for t, distance in points if t > 60.0]
             self.assertGreater(len(settled), 1000)

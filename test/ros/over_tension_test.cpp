@@ -43,8 +43,10 @@ TEST(OverTension, HysteresisLatchAndAcknowledge)
   EXPECT_TRUE(scenario.over_tension);
   EXPECT_EQ(scenario.alarm("over_tension")->state, Alarm::RETURNED_UNACKNOWLEDGED);
   scenario.vehicle_velocity = {0.0, 0.0, 0.0};
-  EXPECT_NE(scenario.call("acknowledge").find("alarm(s) acknowledged"), std::string::npos);
+  EXPECT_EQ(scenario.alarm("over_tension_warning")->state, Alarm::RETURNED_UNACKNOWLEDGED);
+  EXPECT_NE(scenario.call("acknowledge").find(" alarm(s) acknowledged"), std::string::npos);
   scenario.run(0.2);
   EXPECT_FALSE(scenario.over_tension);
   EXPECT_EQ(scenario.alarm("over_tension")->state, Alarm::NORMAL);
+  EXPECT_EQ(scenario.alarm("over_tension_warning")->state, Alarm::NORMAL);
 }
