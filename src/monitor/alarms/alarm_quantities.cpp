@@ -245,6 +245,14 @@ const std::vector<AlarmQuantity>& alarmQuantities()
   return QUANTITIES;
 }
 
+const AlarmQuantity& alarmQuantity(const std::string& name)
+{
+  for (const AlarmQuantity& quantity : QUANTITIES)
+    if (quantity.name == name)
+      return quantity;
+  throw std::out_of_range("no alarm watches '" + name + "'");
+}
+
 AlarmConfig alarmConfig(const Config& config, const AlarmQuantity& quantity)
 {
   const auto given = config.alarms.find(quantity.name);
@@ -256,10 +264,7 @@ AlarmConfig alarmConfig(const Config& config, const AlarmQuantity& quantity)
 
 AlarmConfig& alarmConfig(Config& config, const std::string& name)
 {
-  for (const AlarmQuantity& quantity : alarmQuantities())
-    if (quantity.name == name)
-      return config.alarms.emplace(name, quantity.defaults).first->second;
-  throw std::out_of_range("no alarm watches '" + name + "'");
+  return config.alarms.emplace(name, alarmQuantity(name).defaults).first->second;
 }
 
 std::vector<std::string> validateAlarms(const Config& config)

@@ -15,13 +15,8 @@ constexpr double LONGEST_INTERVAL = 3.0;  // cycles
 
 bool isWatched(const Config& config, const std::string& name)
 {
-  for (const AlarmQuantity& quantity : alarmQuantities())
-    if (name == quantity.name)
-    {
-      const AlarmConfig alarm = alarmConfig(config, quantity);
-      return alarm.limit || alarm.warning;
-    }
-  return false;
+  const AlarmConfig alarm = alarmConfig(config, alarmQuantity(name));
+  return alarm.limit || alarm.warning;
 }
 
 double horizontal(const core::Vector3& way)
@@ -144,7 +139,7 @@ void AlarmInputTracker::checkLoadCell(const TetherEstimate& e, CableSimulation& 
   inputs_.mismatch = load_cell_.mismatch();
   if (!e.has_stations)
     return;
-  if (load_cell_.isQuiet())
+  if (!std::isnan(inputs_.mismatch) && load_cell_.isQuiet())
     locator_.remember(e);
   snag_ = SnagPlace();
   if (load_cell_.cause() != MismatchCause::SNAG)

@@ -53,21 +53,15 @@ class Sorted
  private:
   std::vector<double> sorted_;
 };
-
-const AlarmQuantity& quantityNamed(const std::string& name)
-{
-  return *std::find_if(alarmQuantities().begin(), alarmQuantities().end(),
-                       [&](const AlarmQuantity& quantity) { return name == quantity.name; });
-}
 }  // namespace
 
 ForecastLimits::ForecastLimits(const Config& config)
 {
-  const AlarmConfig over = alarmConfig(config, quantityNamed(OVER_TENSION));
+  const AlarmConfig over = alarmConfig(config, alarmQuantity(OVER_TENSION));
   warning = over.warning;
   limit = over.limit;
-  breaking = alarmConfig(config, quantityNamed(BREAKING)).limit;
-  slack = alarmConfig(config, quantityNamed("slack")).limit.value_or(0.0);
+  breaking = alarmConfig(config, alarmQuantity(BREAKING)).limit;
+  slack = alarmConfig(config, alarmQuantity("slack")).limit.value_or(0.0);
 }
 
 void ForecastTraces::begin(int members, double horizon, double interval)

@@ -32,6 +32,9 @@ struct AlarmQuantity
 /// All of them, in the order in which alarms are published. over_tension comes first.
 const std::vector<AlarmQuantity>& alarmQuantities();
 
+/// That of a name. @throws std::out_of_range for an unknown one.
+const AlarmQuantity& alarmQuantity(const std::string& name);
+
 /// Names of the quantities behind the over-tension flag.
 extern const char* const OVER_TENSION;
 extern const char* const BREAKING;
