@@ -62,10 +62,10 @@ int main(int argc, char** argv)
     monitor::ForecastScore total;
     int runs = 0;
     double cpu = 0.0;
-    for (const bench::ForecastCase& c : bench::forecastCases())
+    for (const bench::Manoeuvre& manoeuvre : bench::manoeuvres())
     {
-      const bench::ForecastStudy study = bench::studyForecasts(c, draws, seed, has_load_cell, total);
-      rows.push_back(bench::print(c.of.of.what, has_load_cell, study.runs, study.cpu, study.result));
+      const bench::ForecastStudy study = bench::studyForecasts(manoeuvre, draws, seed, has_load_cell, total);
+      rows.push_back(bench::print(manoeuvre.what, has_load_cell, study.runs, study.cpu, study.result));
       runs += study.runs;
       cpu = std::max(cpu, study.cpu);
     }

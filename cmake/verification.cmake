@@ -1,8 +1,10 @@
 # Random tethers, the cases A to F and the navigation study: shared by tests, fuzzing and benchmarks.
 add_library(tether_monitor_verification STATIC
+  verification/drawn_truths.cpp
   verification/estimation_study.cpp
   verification/estimation_truths.cpp
   verification/forecast_study.cpp
+  verification/manoeuvres.cpp
   verification/navigation_study.cpp
   verification/random_tether.cpp
   verification/reference_cases.cpp

@@ -1,11 +1,10 @@
 #include "verification/estimation_study.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
-#include <stdexcept>
-#include <thread>
+
+#include "verification/drawn_truths.h"
 
 namespace tether_monitor::bench
 {
@@ -131,56 +130,36 @@ class Pool
 };
 
 // The measurements of a truth and what the estimator is told of it.
-Trail observeDraw(const UncertainCase& c, const StudyOptions& options, unsigned seed, const TruthDraw& draw,
-                  const Truth& truth)
+Trail observeDraw(const StudyOptions& options, const DrawnTruth& drawn)
 {
   Sensors sensors;
-  sensors.seed = seed + 77;
+  sensors.seed = drawn.seed + 77;
   sensors.latency = options.latency;
   sensors.has_load_cell = options.has_load_cell;
-  monitor::Config config = configFor(c, truth, sensors);
-  sensors.tension_bias = draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
+  monitor::Config config = configFor(drawn.of, drawn.truth, sensors);
+  sensors.tension_bias = drawn.draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
   sensors.tension_stddev = config.uncertainty.tension_stddev;
   config.elements = options.elements;
   config.rate = options.rate;
   config.solver.step = 1.0 / options.rate;
   if (options.mislead)
     options.mislead(config);
-  return observe(truth, config, sensors);
+  return observe(drawn.truth, config, sensors);
 }
 }  // namespace
 
 StudyResult studyPooled(const UncertainCase& c, const StudyOptions& options)
 {
   Pool pool;
-  std::atomic<int> next{0};
   std::mutex mutex;
-  const auto work = [&]
-  {
-    for (int k = next++; k < options.draws; k = next++)
-    {
-      const unsigned seed = options.first_seed + static_cast<unsigned>(k);
-      const TruthDraw draw = options.mislead ? TruthDraw() : drawTruth(c, seed);
-      Truth truth;
-      try
-      {
-        truth = makeTruth(c, draw);
-      }
-      catch (const std::runtime_error&)
-      {
-        continue;
-      }
-      const Trail trail = observeDraw(c, options, seed, draw, truth);
-      const std::lock_guard<std::mutex> lock(mutex);
-      pool.add(c, truth, trail, options.draws);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int k = 1; k < options.threads; ++k)
-    threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads)
-    thread.join();
+  forEachTruth([&](unsigned) { return c; }, options.draws, options.first_seed, options.threads,
+               static_cast<bool>(options.mislead),
+               [&](const DrawnTruth& drawn)
+               {
+                 const Trail trail = observeDraw(options, drawn);
+                 const std::lock_guard<std::mutex> lock(mutex);
+                 pool.add(c, drawn.truth, trail, options.draws);
+               });
   return pool.result();
 }
 

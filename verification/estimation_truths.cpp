@@ -7,6 +7,7 @@
 
 #include "tether_monitor/core/assembly/contact_assembly.h"
 #include "tether_monitor/core/bodies/rigid_body_dynamics.h"
+#include "tether_monitor/monitor/ensemble/unknown_force.h"
 
 namespace tether_monitor::bench
 {
@@ -42,13 +43,6 @@ struct ThrustController
 EndMotion wayOf(const UncertainCase& c, double t)
 {
   const Vector3& station = c.of.start.vehicle;
-  if (!c.run_off.isZero())
-  {
-    constexpr double GENTLY = 6.0;
-    const double since = std::max(t - c.changes_at, 0.0), share = std::min(since / GENTLY, 1.0);
-    return {station + (since < GENTLY ? 0.5 * share * since : since - 0.5 * GENTLY) * c.run_off,
-            share * c.run_off};
-  }
   if (c.manoeuvre <= 0.0)
     return {station, Vector3::Zero()};
   constexpr double RADIUS = 12.0, GENTLE = 30.0;
@@ -58,6 +52,42 @@ EndMotion wayOf(const UncertainCase& c, double t)
   return {station + RADIUS * Vector3(std::cos(angle) - 1.0, std::sin(angle), 0.0),
           speed * Vector3(-std::sin(angle), std::cos(angle), 0.0)};
 }
+
+// The thrust of a pilot; one that pushes lets the vehicle go along x.
+Vector3 thrustOf(const UncertainCase& c, ThrustController& pilot, const core::RigidBody& body,
+                 const EndMotion& now, double t, double dt)
+{
+  constexpr double GENTLY = 6.0;  // [s]
+  EndMotion wanted = wayOf(c, t);
+  const double pushed = c.push == 0.0 ? 0.0 : std::clamp((t - c.changes_at) / GENTLY, 0.0, 1.0);
+  if (pushed > 0.0)
+  {
+    wanted.position.x() = now.position.x();
+    wanted.velocity.x() = now.velocity.x();
+  }
+  return pilot.steer(body, wanted, now, dt) + pushed * c.push * Vector3::UnitX();
+}
+
+// A first-order Gauss-Markov force, (E3).
+class FastForce
+{
+ public:
+  explicit FastForce(const TruthDraw& draw) : stddev_(draw.fast_stddev), generator_(draw.seed) {}
+
+  Vector3 advance(double dt)
+  {
+    const double decay = std::exp(-dt / monitor::UnknownForce().fast_memory);
+    const double x = normal_(generator_), y = normal_(generator_), z = normal_(generator_);
+    force_ = decay * force_ + stddev_ * std::sqrt(1.0 - decay * decay) * Vector3(x, y, z);
+    return force_;
+  }
+
+ private:
+  double stddev_;  // [N]
+  std::mt19937 generator_;
+  std::normal_distribution<double> normal_;
+  Vector3 force_ = Vector3::Zero();
+};
 
 EndMotion vesselAt(const Case& c, double t)
 {
@@ -169,8 +199,14 @@ TruthDraw drawTruth(const UncertainCase& c, unsigned seed)
   TruthDraw draw;
   draw.variation = monitor::variationOf(p, std::max(-c.of.start.vehicle.z(), 10.0));
   const double x = normal(generator), y = normal(generator), z = normal(generator);
-  if (c.is_towed)
-    draw.force = c.force_stddev * Vector3(x, y, z);
+  if (c.is_towed || c.reports_thrust)
+  {
+    config.navigation.force_stddev = c.force_stddev;
+    const monitor::UnknownForce told = monitor::unknownForceOf(config);
+    draw.force = told.slow_stddev * Vector3(x, y, z);
+    draw.fast_stddev = told.fast_stddev;
+    draw.seed = seed + 13;
+  }
   draw.tension_bias = normal(generator);
   return draw;
 }
@@ -185,6 +221,8 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
   core::CableModel model(c.tether, uncertain.true_elements, c.sea);
   core::SteadyEnds start = c.start;
   start.deployment.variation = draw.variation;
+  if (uncertain.payout)
+    start.deployment.payout = uncertain.payout(0.0);
   core::SteadyStateSolver statics(model.nodes());
   core::NodeField shape;
   if (uncertain.is_towed)
@@ -208,6 +246,7 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
   core::AdaptiveStepper stepper(model, options);
   const int count = static_cast<int>(std::lround(c.duration / truth.step));
   core::DeployedCable cable(model, state.deployment);
+  FastForce fast(draw);
   Vector3 thrust = uncertain.is_towed ? Vector3(Vector3::Zero()) : pilot.integral;
   for (int i = 0; i <= count; ++i)
   {
@@ -219,7 +258,11 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
       core::BoundaryConditions ends;
       ends.vessel = core::EndTrajectory::between(state.time, vesselAt(c, state.time), t, vesselAt(c, t));
       if (!uncertain.is_towed)
-        thrust = ends.vehicle_force = pilot.steer(body, wayOf(uncertain, t), centreOf(state), truth.step);
+        thrust = thrustOf(uncertain, pilot, body, centreOf(state), t, truth.step);
+      ends.vehicle_force = (uncertain.is_towed ? Vector3(Vector3::Zero()) : thrust) + fast.advance(truth.step);
+      if (uncertain.payout)
+        ends.payout =
+            core::PayoutTrajectory::between(state.time, uncertain.payout(state.time), t, uncertain.payout(t));
       if (!stepper.advance(model, ends, t, state).converged())
         throw std::runtime_error("case " + c.name + " has no solution at " + std::to_string(t) + " s");
     }
@@ -228,6 +271,8 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
     truth.vehicle.push_back(monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero()));
     if (uncertain.reports_thrust)
       truth.thrust.push_back({truth.vehicle.back().orientation.conjugate() * thrust, Vector3::Zero()});
+    if (uncertain.payout)
+      truth.payout.push_back(uncertain.payout(t));
     truth.vessel_tension.push_back(forces.vessel.norm());
     truth.vehicle_tension.push_back(forces.vehicle.norm());
   }

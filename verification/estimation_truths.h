@@ -21,8 +21,9 @@ struct UncertainCase
   int true_elements = 50;
   core::Vector3 current_change = core::Vector3::Zero();  ///< of the true current, in ten seconds [m/s].
   double changes_at = 0.0;                               ///< [s]
-  core::Vector3 run_off = core::Vector3::Zero();  ///< velocity of a vehicle that leaves its station then [m/s].
-  double most_thrust = 1e9;                       ///< of a vehicle under its own thrust [N].
+  double push = 0.0;         ///< thrust along x that a vehicle under its own thrust adds then, and holds [N].
+  double most_thrust = 1e9;  ///< of a vehicle under its own thrust [N].
+  std::function<core::PayoutState(double)> payout = nullptr;  ///< none: the tether is as long as it was built.
 };
 
 /// C (tow in heave), D (tow in a turn), G (keeps its station in a current), R (rests), M (manoeuvres at 0.5 m/s),
@@ -35,7 +36,9 @@ std::vector<UncertainCase> changingCurrents();
 struct TruthDraw
 {
   core::PropertyVariation variation;
-  core::Vector3 force = core::Vector3::Zero();  ///< on a towed vehicle [N].
+  core::Vector3 force = core::Vector3::Zero();  ///< on a vehicle of which no thrust is unknown [N].
+  double fast_stddev = 0.0;                     ///< of what changes about that, along every axis [N].
+  unsigned seed = 0;                            ///< of what changes.
   double tension_bias = 0.0;                    ///< of the load cell, in standard deviations.
 };
 

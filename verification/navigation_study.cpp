@@ -86,6 +86,27 @@ monitor::BodyState bodyOf(const core::CableState& state)
 {
   return monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero());
 }
+
+void note(const monitor::TetherEstimator& estimator, std::size_t i, Trail& trail)
+{
+  const monitor::TetherEstimate& e = estimator.estimate();
+  trail.t.push_back(e.time);
+  trail.index.push_back(i);
+  trail.vessel_p05.push_back(e.vessel_tension_p05);
+  trail.vessel_p95.push_back(e.vessel_tension_p95);
+  trail.vehicle_p05.push_back(e.vehicle_tension_p05);
+  trail.vehicle_p95.push_back(e.vehicle_tension_p95);
+  trail.vessel_tension.push_back(e.vessel_tension);
+  trail.vehicle_tension.push_back(e.vehicle_tension);
+  trail.vessel_stddev.push_back(e.vessel_tension_stddev);
+  trail.vehicle_stddev.push_back(e.vehicle_tension_stddev);
+  trail.vehicle.push_back(e.vehicle.position);
+  trail.vehicle_stddev_m.push_back(e.vehicle_position_stddev);
+  trail.status.push_back(e.status);
+  trail.reason.push_back(e.reason);
+  for (const monitor::Alarm& alarm : estimator.alarms().alarms())
+    trail.limit_alarm |= alarm.definition().name == "over_tension" && alarm.isAnnunciated();
+}
 }  // namespace
 
 std::vector<Case> navigationCases()
@@ -211,6 +232,8 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     }
     if (!truth.thrust.empty() && config.vehicle_mode != monitor::VehicleMode::TRACKED)
       estimator.setThrust(t, truth.thrust[i]);
+    if (!truth.payout.empty() && i % every(0.1) == 0)
+      estimator.addPayout(t, truth.payout[i].length, truth.payout[i].rate);
     if (i >= late && (i - late) % every(sensors.fix_interval) == 0)
     {
       monitor::PoseMeasurement fix;
@@ -230,26 +253,11 @@ Trail observe(const Truth& truth, const monitor::Config& config, const Sensors& 
     if (i % every(1.0 / config.rate) != 0)
       continue;
     const double begin = cpuTime();
-    const monitor::TetherEstimate& e = estimator.tick(t);
+    estimator.tick(t);
     trail.cpu += cpuTime() - begin;
     if (look)
       look(estimator, i);
-    trail.t.push_back(t);
-    trail.index.push_back(i);
-    trail.vessel_p05.push_back(e.vessel_tension_p05);
-    trail.vessel_p95.push_back(e.vessel_tension_p95);
-    trail.vehicle_p05.push_back(e.vehicle_tension_p05);
-    trail.vehicle_p95.push_back(e.vehicle_tension_p95);
-    trail.vessel_tension.push_back(e.vessel_tension);
-    trail.vehicle_tension.push_back(e.vehicle_tension);
-    trail.vessel_stddev.push_back(e.vessel_tension_stddev);
-    trail.vehicle_stddev.push_back(e.vehicle_tension_stddev);
-    trail.vehicle.push_back(e.vehicle.position);
-    trail.vehicle_stddev_m.push_back(e.vehicle_position_stddev);
-    trail.status.push_back(e.status);
-    trail.reason.push_back(e.reason);
-    for (const monitor::Alarm& alarm : estimator.alarms().alarms())
-      trail.limit_alarm |= alarm.definition().name == "over_tension" && alarm.isAnnunciated();
+    note(estimator, i, trail);
   }
   if (const monitor::TetherEnsemble* ensemble = estimator.vehicle().ensemble())
     trail.innovations = ensemble->innovations();

@@ -17,6 +17,7 @@ struct Truth
   std::vector<core::EndMotion> vessel;
   std::vector<monitor::BodyState> vehicle;
   std::vector<core::Wrench> thrust;                     ///< that the vehicle's pilot gives; empty: none.
+  std::vector<core::PayoutState> payout;                ///< empty: the tether is as long as it was built.
   std::vector<double> vessel_tension, vehicle_tension;  ///< [N]
 
   double timeOf(std::size_t i) const { return step * static_cast<double>(i); }

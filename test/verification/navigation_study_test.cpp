@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "verification/estimation_study.h"
 #include "verification/navigation_study.h"
 
 namespace tether_monitor::bench
@@ -131,6 +132,20 @@ TEST(Navigation, ATetherThatIsNotAsToldIsInTheBand)
 }
 
 // Satellite positions of the vessel from two decimetres to two metres: what is lost is known to be lost.
+TEST(Navigation, ALoadCellTellsTheTensionOfTheMomentAndTheBandKnows)
+{
+  StudyOptions options;
+  options.draws = 4;
+  options.has_load_cell = true;
+  const StudyResult r = studyPooled(uncertainCase("C"), options);
+  EXPECT_LT(r.vessel.rms, 0.045 * r.vessel.mean) << "cell and bias: 2 % of the reading, 2 % of the working load";
+  EXPECT_LT(r.vessel.band, 0.045 * r.vessel.mean);
+  EXPECT_GT(r.vessel.nees, 0.4);
+  EXPECT_LT(r.vessel.nees, 2.0);
+  EXPECT_LT(r.vehicle.band, 0.25 * r.vehicle.mean);
+  EXPECT_EQ(r.limit_alarms, 0);
+}
+
 TEST(Navigation, TheBandKnowsHowWellTheVesselIsSeen)
 {
   double last = 0.0;

@@ -9,39 +9,28 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr std::size_t LEAST_TICKS = 128, MOST_TICKS = 1024, TRANSFORMS = 1024;
-constexpr double OUT_OF_ORDER = 3.0;                 // [s] by which a measurement may be later than the latency
-constexpr double LONGEST_TICK = 0.1;                 // [s]
-constexpr double SAME = 1e-9;                        // [s]
-constexpr double WALK_INTERVAL = 1.0;                // [s] between steps of the parameters' walk
-constexpr double DEFAULT_FORCE_ACCELERATION = 0.16;  // unknown force, over the mass [m/s^2]
-constexpr double INITIAL_VELOCITY_STDDEV = 0.1;      // [m/s]
-constexpr double UNBALANCED_SHARE = 0.2;             // of the force, at the start
-constexpr double FAST_SHARE = 0.4;                   // of the unknown force, that is fast
-constexpr double PULL_RATE = 0.3;                    // [1/s] with which a nominal vehicle follows its mean
-constexpr double PULL_ACCELERATION = 0.3;            // at most [m/s^2]
-constexpr double TRANSFER_TIME = 4.0;                // [s] in which it takes over what is known of the force
-constexpr double TENSION_MEMORY = 20.0;              // [s] in which errors of a predicted tension are the same
-constexpr double TENSION_MODEL_ERROR = 0.005;        // of a predicted tension, relative
-constexpr double DIRECTION_MEMORY = 5.0;             // [s] likewise of a direction
-constexpr double POSITION_MEMORY = 10.0;             // [s] in which positions tell the same of the parameters
-constexpr double PLACE_MODEL_ERROR = 0.05;           // of the distance of the ends [m]
-constexpr double PLACE_MEMORY = 60.0;                // [s] in which it stays
-constexpr double DYNAMIC_MODEL_ERROR = 0.5;          // of what a tension varies by, standard deviations
-constexpr double START_MODEL_ERROR = 0.3;            // of a tension at the start, relative
-constexpr double START_MEMORY = 15.0;                // [s]
-constexpr double TENSION_SPREAD_TIME = 30.0;         // [s]
-constexpr double LEAST_INTERVAL = 1e-3;              // [s]
-constexpr double RESET_PLACE = 0.5;                  // [m] by which a place is doubted after a reset
-
-UnknownForce unknownForceOf(const Config& config)
-{
-  UnknownForce force;
-  const double stddev =
-      config.navigation.force_stddev.value_or(DEFAULT_FORCE_ACCELERATION * config.vehicle_body.mass);
-  force.slow_stddev = stddev;
-  force.fast_stddev = FAST_SHARE * stddev;
-  return force;
-}
+constexpr double OUT_OF_ORDER = 3.0;             // [s] by which a measurement may be later than the latency
+constexpr double LONGEST_TICK = 0.1;             // [s]
+constexpr double SAME = 1e-9;                    // [s]
+constexpr double WALK_INTERVAL = 1.0;            // [s] between steps of the parameters' walk
+constexpr double INITIAL_VELOCITY_STDDEV = 0.1;  // [m/s]
+constexpr double UNBALANCED_SHARE = 0.2;         // of the force, at the start
+constexpr double PULL_RATE = 0.3;                // [1/s] with which a nominal vehicle follows its mean
+constexpr double PULL_ACCELERATION = 0.3;        // at most [m/s^2]
+constexpr double TRANSFER_TIME = 4.0;            // [s] in which it takes over what is known of the force
+constexpr double TENSION_MEMORY = 20.0;          // [s] in which errors of a predicted tension are the same
+constexpr double TENSION_MODEL_ERROR = 0.005;    // of a predicted tension, relative
+constexpr double BELIEVED_RESIDUAL = 4.0;        // standard deviations
+constexpr double DIRECTION_MEMORY = 5.0;         // [s] likewise of a direction
+constexpr double POSITION_MEMORY = 10.0;         // [s] in which positions tell the same of the parameters
+constexpr double PLACE_MODEL_ERROR = 0.05;       // of the distance of the ends [m]
+constexpr double PLACE_MEMORY = 60.0;            // [s] in which it stays
+constexpr double DYNAMIC_MODEL_ERROR = 0.5;      // of what a tension varies by, standard deviations
+constexpr double START_MODEL_ERROR = 0.3;        // of a tension at the start, relative
+constexpr double START_MEMORY = 15.0;            // [s]
+constexpr double TENSION_SPREAD_TIME = 30.0;     // [s]
+constexpr double LEAST_INTERVAL = 1e-3;          // [s]
+constexpr double RESET_PLACE = 0.5;              // [m] by which a place is doubted after a reset
 
 core::Matrix3 isotropic(double stddev)
 {
@@ -93,10 +82,11 @@ EnsembleFilter::EnsembleFilter(const Config& config)
     transforms_(TRANSFORMS),
     random_(7),
     sight_{MotionErrorFilter::Jacobian::Zero(), MemberVectors::Zero(3, count_), MemberVectors::Zero(3, count_),
-           core::Matrix3::Identity()},
+           Eigen::RowVectorXd::Zero(count_), core::Matrix3::Identity()},
     sample_(PARAMETERS, count_),
     spacing_((config.navigation.latency + OUT_OF_ORDER) / static_cast<double>(ticks_.capacity() - 8))
 {
+  believed_.nominal = Eigen::RowVectorXd::Zero(count_);
   for (Tick& tick : ticks_.storage())
   {
     tick.motion = MemberMotion(count_);
@@ -126,6 +116,7 @@ void EnsembleFilter::begin(const EnsembleStart& start, const core::Matrix3& posi
   applied_ = transferred_;
   gate_.start(t, measured_at);
   walked_at_ = began_at_ = t;
+  believed_.t = -std::numeric_limits<double>::infinity();
   ticks_.clear();
   Tick& tick = ticks_.emplaceBack();
   tick.t = t;
@@ -232,9 +223,8 @@ bool EnsembleFilter::look(const VehicleMeasurement& fix, std::size_t tick, const
     {
       sight_.jacobian = MotionErrorFilter::tensionJacobian(motion_.tether().vessel);
       sight_.predicted.setZero();
-      for (int i = 0; i < count_; ++i)
-        sight_.predicted(0, i) = (1.0 - share) * a.motion.vessel_tension[i] + share * b.motion.vessel_tension[i] +
-                                 parameters_(TENSION_BIAS, i);
+      sight_.nominal_tension = (1.0 - share) * a.motion.vessel_tension + share * b.motion.vessel_tension;
+      sight_.predicted.row(0) = sight_.nominal_tension + parameters_.row(TENSION_BIAS);
       const double mean = sight_.predicted.row(0).mean();
       const double variance = std::pow(sensor_stddev_ * value.x(), 2) + std::pow(TENSION_MODEL_ERROR * mean, 2) +
                               DYNAMIC_MODEL_ERROR * DYNAMIC_MODEL_ERROR * tension_spread_.variance +
@@ -322,11 +312,25 @@ void EnsembleFilter::process(VehicleMeasurement& fix, std::size_t tick, const co
     slot.accepted = isAccepted(fix, innovation);
     if (!slot.accepted)
       return;
+    if (fix.kind == VehicleMeasurement::Kind::TENSION)
+      believe(fix);
     learn(fix, innovation, slot.transform);
   }
   motion_.correct(sight_.jacobian, sight_.innovations, gate_.noiseVarianceScale() * sight_.noise);
   // The unknown forces go with the parameters; where the vehicle is, the next measurements tell.
   slot.transform.apply(motion_.means().bottomRows<6>());
+}
+
+// (E23)
+void EnsembleFilter::believe(const VehicleMeasurement& reading)
+{
+  const double tension = reading.value.value().x();
+  if (reading.t < believed_.t || !(std::abs(tension_residual_.normalized()) <= BELIEVED_RESIDUAL))
+    return;
+  believed_.t = reading.t;
+  believed_.tension = tension;
+  believed_.noise_variance = std::pow(sensor_stddev_ * tension, 2);
+  believed_.nominal = sight_.nominal_tension;
 }
 
 // Positions that follow each other closely tell the same of the parameters: only as much as one in ten seconds.
@@ -371,7 +375,7 @@ void EnsembleFilter::walk(double t)
 bool EnsembleFilter::isValid() const
 {
   if (!parameters_.allFinite() || parameters_.cols() != count_ || !motion_.isValid() || !applied_.allFinite() ||
-      motion_.means().cols() != count_ || transforms_.size() != TRANSFORMS)
+      motion_.means().cols() != count_ || believed_.nominal.size() != count_ || transforms_.size() != TRANSFORMS)
     return false;
   for (std::size_t k = 0; k < ticks_.size(); ++k)
     if (!std::isfinite(ticks_[k].t) || !ticks_[k].belief.means.allFinite() ||

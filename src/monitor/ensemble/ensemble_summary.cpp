@@ -42,16 +42,20 @@ void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors
   vessel_ = distributionOf(values_, own.vessel);
   values_ = members.motion().vehicle_tension + own.vehicle_correction;
   vehicle_ = distributionOf(values_, own.vehicle);
+  const std::size_t stations = tension_.size();
+  const auto shareOf = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(stations - 1); };
+  for (int i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < stations; ++k)
+      profiles_[i].tension[k] +=
+          (1.0 - shareOf(k)) * own.vessel_correction[i] + shareOf(k) * own.vehicle_correction[i];
   for (int i = 0; i < n; ++i)
     values_[i] = *std::max_element(profiles_[i].tension.begin(), profiles_[i].tension.end());
   largest_ = distributionOf(values_, std::max(own.vessel, own.vehicle));
-  const std::size_t stations = tension_.size();
   for (std::size_t k = 0; k < stations; ++k)
   {
-    const double share = static_cast<double>(k) / static_cast<double>(stations - 1);
+    const double share = shareOf(k);
     for (int i = 0; i < n; ++i)
-      values_[i] =
-          profiles_[i].tension[k] + (1.0 - share) * own.vessel_correction[i] + share * own.vehicle_correction[i];
+      values_[i] = profiles_[i].tension[k];
     tension_stddev_[k] =
         std::sqrt(varianceOf(values_) + std::pow((1.0 - share) * own.vessel + share * own.vehicle, 2));
     std::nth_element(values_.data(), values_.data() + n / 2, values_.data() + n);

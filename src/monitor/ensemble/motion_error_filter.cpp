@@ -130,10 +130,14 @@ MotionErrorFilter::Jacobian MotionErrorFilter::tensionJacobian(const TensionJaco
   return H;
 }
 
+double MotionErrorFilter::tensionCovariance(const TensionJacobian& a, const TensionJacobian& b) const
+{
+  return tensionJacobian(a).row(0) * covariance_ * tensionJacobian(b).row(0).transpose();
+}
+
 double MotionErrorFilter::tensionStddev(const TensionJacobian& tension) const
 {
-  const Eigen::Matrix<double, 1, STATES> h = tensionJacobian(tension).row(0);
-  return std::sqrt(std::max((h * covariance_ * h.transpose())(0), 0.0));
+  return std::sqrt(std::max(tensionCovariance(tension, tension), 0.0));
 }
 
 void MotionErrorFilter::save(Belief& belief) const

@@ -12,6 +12,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+constexpr double LIKENESS_TIME = 0.5;  // [s] in which what a member's tension is off stays alike
+constexpr double LEAST_LIKENESS = 0.01;
 constexpr double LONGEST_STEP = 0.1;              // [s] between corrections
 constexpr double RELINEARIZATION_INTERVAL = 1.0;  // [s] between linearisations of the tether
 constexpr double LINEARIZATION_SHARE = 0.2;       // of the newest
@@ -47,7 +49,8 @@ TetherEnsemble::TetherEnsemble(const Config& config)
     timing_(config.navigation.latency)
 {
   body_.attachment = config.vehicle.attachment;
-  own_.vessel_correction = own_.vehicle_correction = Eigen::RowVectorXd::Zero(config.uncertainty.members);
+  own_.vessel_correction = own_.vehicle_correction = residual_ =
+      Eigen::RowVectorXd::Zero(config.uncertainty.members);
   summary_.prepare(config.elements, config.uncertainty.members);
 }
 
@@ -214,7 +217,28 @@ void TetherEnsemble::summarize(const core::Vector3& vessel_stddev)
   };
   own_.vessel = own(tether.vessel, motion.vessel_tension.mean());
   own_.vehicle = own(tether.vehicle, motion.vehicle_tension.mean());
+  followLoadCell(error.tensionCovariance(tether.vessel, tether.vehicle) + shaking * shaking);
   summary_.update(members_, position_, own_);
+}
+
+// (E23): what a reading was off from every member a moment ago, it is off now.
+void TetherEnsemble::followLoadCell(double common)
+{
+  const BelievedReading& reading = filter_.believedReading();
+  const double likeness = std::exp(-std::max(members_.state(0).time - reading.t, 0.0) / LIKENESS_TIME);
+  if (likeness < LEAST_LIKENESS)
+    return;
+  const double of_vessel = own_.vessel * own_.vessel;
+  const double of_residual = of_vessel + reading.noise_variance;
+  if (!(of_residual > 0.0))
+    return;
+  residual_ = -(reading.nominal + filter_.parameters().row(TENSION_BIAS) + own_.vessel_correction);
+  residual_.array() += reading.tension;
+  own_.vessel_correction += likeness * of_vessel / of_residual * residual_;
+  own_.vehicle_correction += likeness * common / of_residual * residual_;
+  own_.vessel = std::sqrt(of_vessel * (1.0 - likeness * likeness * of_vessel / of_residual));
+  own_.vehicle =
+      std::sqrt(std::max(own_.vehicle * own_.vehicle - likeness * likeness * common * common / of_residual, 0.0));
 }
 
 core::SolveReport TetherEnsemble::advanceOnePart(const core::CableModel& model,

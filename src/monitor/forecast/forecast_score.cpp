@@ -11,7 +11,7 @@ constexpr std::array<double, 8> BOUNDS{0.0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 1.0}
 constexpr double CALM = 10.0;          // [s] below the limit that separate two events
 constexpr double WARNING = 0.5;        // probability
 constexpr double EARLY = 10.0;         // [s] ahead
-constexpr double LONGEST_PAUSE = 3.0;  // [s] between two forecasts of one spell
+constexpr double LONGEST_PAUSE = 3.0;  // [s] in a warning that stands
 
 std::size_t classOf(double probability)
 {
@@ -64,20 +64,18 @@ ForecastScore::Sums ForecastScore::evaluate() const
   };
   for (const Made& made : made_)
   {
-    if (made.was_over)
-    {
+    if (made.t - spell_ended > CALM)
       endSpell();
-      continue;
-    }
-    if (made.probability >= WARNING)
+    const bool is_warning = !made.was_over && made.probability >= WARNING;
+    if (is_warning && spell_began < 0.0)
+      spell_began = made.t;
+    if (is_warning || made.was_over)
     {
-      if (made.t - spell_ended > LONGEST_PAUSE)
-        endSpell();
-      if (spell_began < 0.0)
-        spell_began = made.t;
       spell_ended = made.t;
       horizon = made.horizon;
     }
+    if (made.was_over)
+      continue;
     if (made.t + made.horizon > now_)
       continue;
     const bool came = nextOf(over_times_, made.t) <= made.t + made.horizon;

@@ -31,6 +31,21 @@ class ReadingRate
   double interval_ = std::numeric_limits<double>::infinity();
 };
 
+/// The last reading of the load cell that was believed, and what the nominal members had at its time.
+struct BelievedReading
+{
+  double t = -std::numeric_limits<double>::infinity();  ///< [s]
+  double tension = 0.0;                                 ///< [N]
+  double noise_variance = 0.0;                          ///< of the cell alone, without bias [N^2].
+  Eigen::RowVectorXd nominal;                           ///< tensions of the members at the vessel end [N].
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(t, tension, noise_variance, nominal);
+  }
+};
+
 /// How much a tension varies in the waves.
 struct TensionSpread
 {
@@ -85,6 +100,7 @@ class EnsembleFilter
   const InnovationGate& gate() const { return gate_; }
   /// Of the last reading of the load cell, before it corrected anything.
   const TensionResidual& tensionResidual() const { return tension_residual_; }
+  const BelievedReading& believedReading() const { return believed_; }
   /// Force that every nominal vehicle is to feel from now on: what is unknown, and what brings it to its mean [N].
   const MemberVectors& appliedForce() const { return applied_; }
   /// Times that the parameters were drawn anew since the measurements contradicted them.
@@ -105,7 +121,7 @@ class EnsembleFilter
   {
     a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, random_,
       walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_,
-      tension_residual_);
+      tension_residual_, believed_);
   }
 
  private:
@@ -140,6 +156,7 @@ class EnsembleFilter
   {
     MotionErrorFilter::Jacobian jacobian;
     MemberVectors predicted, innovations;
+    Eigen::RowVectorXd nominal_tension;  // of a reading of the load cell
     core::Matrix3 noise;
   };
 
@@ -147,6 +164,7 @@ class EnsembleFilter
   void process(VehicleMeasurement& fix, std::size_t tick, const core::Vector3& origin);
   bool look(const VehicleMeasurement& fix, std::size_t tick, const core::Vector3& origin);
   bool isAccepted(const VehicleMeasurement& fix, const core::Vector3& innovation);
+  void believe(const VehicleMeasurement& reading);
   void learn(const VehicleMeasurement& fix, const core::Vector3& innovation, EnsembleTransform& transform);
   ReadingRate& rateOf(VehicleMeasurement::Kind kind);
   double startError(double t) const;
@@ -176,6 +194,7 @@ class EnsembleFilter
   ReadingRate position_rate_, tension_rate_, direction_rate_;
   TensionSpread tension_spread_;
   TensionResidual tension_residual_;
+  BelievedReading believed_;
 };
 
 }  // namespace tether_monitor::monitor

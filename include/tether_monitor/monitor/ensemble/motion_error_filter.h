@@ -2,19 +2,10 @@
 
 #include "tether_monitor/monitor/ensemble/ensemble_transform.h"
 #include "tether_monitor/monitor/ensemble/tether_linearization.h"
+#include "tether_monitor/monitor/ensemble/unknown_force.h"
 
 namespace tether_monitor::monitor
 {
-/// What pushes the vehicle and is not in the model: a slow and a fast force, each a first-order Gauss-Markov
-/// process, alike along every axis.
-struct UnknownForce
-{
-  double slow_stddev = 1.0;     ///< [N], > 0.
-  double slow_memory = 3600.0;  ///< [s]
-  double fast_stddev = 1.0;     ///< [N], > 0.
-  double fast_memory = 15.0;    ///< [s]
-};
-
 /**
  * Kalman filters of the vehicle's motion, one for each member of an ensemble, all with the same covariance and
  * gains: (E1)-(E4) of doc/theory/estimation.md, the bias-free filter of Friedland (1969).
@@ -71,6 +62,8 @@ class MotionErrorFilter
   const UnknownForce& force() const { return force_; }
   /// Standard deviation of a tension [N] if the parameters are right.
   double tensionStddev(const TensionJacobian& tension) const;
+  /// What is uncertain of two tensions together [N^2].
+  double tensionCovariance(const TensionJacobian& a, const TensionJacobian& b) const;
   bool isValid() const { return means_.allFinite() && covariance_.allFinite(); }
 
   /// Mean and covariance at one time.

@@ -103,6 +103,7 @@ class TetherEnsemble
                                    const core::Vector3& vessel_stddev, double error_rate, double t);
   void linearize(double error_rate);
   void summarize(const core::Vector3& vessel_stddev);
+  void followLoadCell(double common);
   double oldestUsableTime(double t) const;
 
   NavigationConfig navigation_;
@@ -114,6 +115,7 @@ class TetherEnsemble
   EnsembleFilter filter_;
   EnsembleSummary summary_;
   EnsembleSummary::Own own_;
+  Eigen::RowVectorXd residual_;  // of the load cell, of every member [N]
   MemberVectors position_;
   std::optional<Eigen::Quaterniond> attitude_;
   core::Vector3 origin_ = core::Vector3::Zero();

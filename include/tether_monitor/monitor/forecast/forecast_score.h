@@ -31,7 +31,7 @@ class ForecastScore
     long events = 0;
     long warned = 0;  ///< events with a probability of at least one half, ten seconds or more ahead.
     double median_lead_time = TetherForecast::NONE;  ///< from the first such forecast to the event [s].
-    long warnings = 0;                               ///< spells of such forecasts.
+    long warnings = 0;                               ///< spells of such forecasts, ten seconds or more apart.
     long false_warnings = 0;                         ///< of these, without an event within a horizon of their end.
   };
 
