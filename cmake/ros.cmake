@@ -7,13 +7,20 @@ if(NOT DEFINED CATKIN_DEVEL_PREFIX)
   file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages ${CATKIN_DEVEL_PREFIX}/lib/pkgconfig)
 endif()
 
+# Its packages name it differently, and not all of them bring a configuration for CMake.
+find_path(GEOGRAPHICLIB_INCLUDE_DIR GeographicLib/LocalCartesian.hpp)
+find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic)
+if(NOT GEOGRAPHICLIB_INCLUDE_DIR OR NOT GEOGRAPHICLIB_LIBRARY)
+  message(FATAL_ERROR "GeographicLib is missing (libgeographiclib-dev or libgeographic-dev)")
+endif()
+
 find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp rosgraph_msgs
-  std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros visualization_msgs)
+  sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
 add_message_files(FILES
-  Alarm.msg AlarmArray.msg AlarmEvent.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg ObstacleArray.msg
-  ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherForecast.msg TetherState.msg
+  AcousticFix.msg Alarm.msg AlarmArray.msg AlarmEvent.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg
+  ObstacleArray.msg ParameterEstimate.msg Payout.msg TensionMeasurement.msg TetherForecast.msg TetherState.msg
   WrenchWithCovarianceStamped.msg)
 add_service_files(FILES AlarmAction.srv AlarmLog.srv WhatIf.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
@@ -30,7 +37,11 @@ export(TARGETS tether_monitor_core tether_monitor_monitor NAMESPACE tether_monit
 add_library(tether_monitor_ros STATIC
   src/ros/alarm_publisher.cpp
   src/ros/alarm_text.cpp
+  src/ros/bag_recording.cpp
   src/ros/bag_replay.cpp
+  src/ros/body_input.cpp
+  src/ros/motion_input_adapter.cpp
+  src/ros/sensor_input_adapter.cpp
   src/ros/crash_guard.cpp
   src/ros/cycle_statistics.cpp
   src/ros/cycle_thread.cpp
@@ -38,6 +49,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/estimator_runner.cpp
   src/ros/forecast_publisher.cpp
   src/ros/forecast_thread.cpp
+  src/ros/geodetic_datum.cpp
   src/ros/geometry_conversions.cpp
   src/ros/header_check.cpp
   src/ros/input_adapter.cpp
@@ -51,14 +63,16 @@ add_library(tether_monitor_ros STATIC
   src/ros/output_publisher.cpp
   src/ros/parameter_server.cpp
   src/ros/publishing_thread.cpp
+  src/ros/sensor_mounts.cpp
   src/ros/simulator_bridge.cpp
   src/ros/simulator_node.cpp
   src/ros/state_keeper.cpp
-  src/ros/transform_input.cpp)
+  src/ros/transform_input.cpp
+  src/ros/transform_pose_reader.cpp)
 add_dependencies(tether_monitor_ros ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
-target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
+target_include_directories(tether_monitor_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS} ${GEOGRAPHICLIB_INCLUDE_DIR})
 target_link_libraries(tether_monitor_ros
-  PUBLIC tether_monitor_params tether_monitor_replay ${catkin_LIBRARIES}
+  PUBLIC tether_monitor_params tether_monitor_replay ${catkin_LIBRARIES} ${GEOGRAPHICLIB_LIBRARY}
   PRIVATE tether_monitor_options)
 
 add_executable(tether_monitor_node src/apps/tether_monitor_node.cpp)

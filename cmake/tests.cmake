@@ -94,6 +94,7 @@ set(test_files
   test/monitor/measurements/turn_counter_test.cpp
   test/monitor/measurements/body_state_test.cpp
   test/monitor/measurements/correction_blender_test.cpp
+  test/monitor/measurements/height_record_test.cpp
   test/monitor/measurements/measured_vector_test.cpp
   test/monitor/measurements/measurement_history_test.cpp
   test/monitor/measurements/motion_buffer_test.cpp

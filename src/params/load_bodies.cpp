@@ -14,6 +14,9 @@ monitor::BodyConfig loadBody(ParameterReader& in)
   body.frame = in.text("frame", body.frame);
   if (in.has("clamped"))
     body.clamped = in.vector("clamped");
+  body.tf_frame = in.text("tf_frame", body.tf_frame);
+  if (in.has("height"))
+    body.height = in.optionalNumber("height");
   body.least_stddev = in.number("least_stddev", body.least_stddev);
   const std::string twist_frame = in.text("twist_frame", "child");
   if (twist_frame != "child" && twist_frame != "world")

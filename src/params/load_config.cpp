@@ -7,6 +7,7 @@
 #include "tether_monitor/monitor/alarms/alarm_quantities.h"
 #include "tether_monitor/params/load_bodies.h"
 #include "tether_monitor/params/load_environment.h"
+#include "tether_monitor/params/load_inputs.h"
 #include "tether_monitor/params/load_monitor.h"
 #include "tether_monitor/params/load_tether.h"
 #include "tether_monitor/params/yaml_file.h"
@@ -18,13 +19,14 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   ParameterReader in(tree);
   monitor::Config config;
   config.world_frame = in.text("world_frame", config.world_frame);
-  config.environment = loadEnvironment(in.child("environment"), folder, config.uncertainty.current);
+  loadEnvironment(in.child("environment"), folder, config);
   loadTether(in.child("tether"), config);
   config.vessel = loadVessel(in.child("vessel"));
   loadVehicle(in.child("vehicle"), config);
-  config.solver = loadSolver(in.child("solver"), config.uncertainty.members);
+  loadSolver(in.child("solver"), config);
   loadSensors(in, config.uncertainty);
   loadMonitor(in.child("monitor"), config);
+  loadInputs(in, config.inputs);
   if (in.has("winch"))
     config.winch = loadWinch(in.child("winch"));
   in.ignore("simulation");         // of tether_sim_node

@@ -86,21 +86,21 @@ core::Obstacle loadObstacle(ParameterReader in)
 }
 }  // namespace
 
-core::Environment loadEnvironment(ParameterReader in, const std::string& folder, double& current_stddev)
+void loadEnvironment(ParameterReader in, const std::string& folder, monitor::Config& config)
 {
-  core::Environment sea;
+  core::Environment& sea = config.environment;
   sea.water_density = in.number("water_density", sea.water_density);
   sea.gravity = in.number("gravity", sea.gravity);
   sea.current = loadCurrent(in);
   sea.waves = loadWaves(in);
-  current_stddev = in.number("current_stddev", current_stddev);
+  config.uncertainty.current = in.number("current_stddev", config.uncertainty.current);
+  config.inputs.air_pressure = in.number("air_pressure", config.inputs.air_pressure);
   sea.wind = in.vector("wind", sea.wind);
   if (in.has("seabed"))
     sea.seabed = loadSeabed(in.child("seabed"), folder);
   for (ParameterReader& entry : in.list("obstacles"))
     sea.obstacles.push_back(loadObstacle(entry));
   in.finish();
-  return sea;
 }
 
 }  // namespace tether_monitor::params

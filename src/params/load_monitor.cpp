@@ -37,10 +37,10 @@ void loadSensors(ParameterReader& in, monitor::UncertaintyConfig& uncertainty)
   direction.finish();
 }
 
-core::StepperOptions loadSolver(ParameterReader in, int& members)
+void loadSolver(ParameterReader in, monitor::Config& config)
 {
-  members = in.integer("members", members);
-  core::StepperOptions options;
+  config.uncertainty.members = in.integer("members", config.uncertainty.members);
+  core::StepperOptions& options = config.solver;
   const std::string integrator = in.text("integrator", "generalized_alpha");
   if (integrator == "abarbanel_zwas")
     options.scheme = core::Scheme::ABARBANEL_ZWAS;
@@ -51,7 +51,6 @@ core::StepperOptions loadSolver(ParameterReader in, int& members)
   options.step = in.number("step", options.step);
   options.spectral_radius = in.number("spectral_radius", options.spectral_radius);
   in.finish();
-  return options;
 }
 
 void loadMonitor(ParameterReader in, monitor::Config& config)

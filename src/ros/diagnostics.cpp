@@ -43,14 +43,14 @@ std::string adviceOn(monitor::Reason reason, const DiagnosticInputs& inputs)
   std::string text = advice(reason);
   if (reason != Reason::NO_INPUT && reason != Reason::VESSEL_STALE && reason != Reason::VEHICLE_STALE)
     return text;
-  for (const InputTopic& topic : inputTopics())
+  for (const auto& [name, refusal] : inputs.refusals)
   {
-    const auto refusal = inputs.refusals.find(topic.name);
-    const bool concerns =
-        reason == Reason::NO_INPUT || (topic.stream == InputStream::VESSEL) == (reason == Reason::VESSEL_STALE);
-    if (topic.is_pose && concerns && refusal != inputs.refusals.end())
-      text = "Messages arrive on " + topic.name + ", but they are refused (" +
-             std::to_string(refusal->second.count) + "): " + refusal->second.last_reason + ".";
+    const InputTopic* topic = findInputTopic(name);
+    if (!topic || !topic->is_pose)
+      continue;
+    if (reason == Reason::NO_INPUT || (topic->stream == InputStream::VESSEL) == (reason == Reason::VESSEL_STALE))
+      text = "Messages arrive on " + name + ", but they are refused (" + std::to_string(refusal.count) +
+             "): " + refusal.last_reason + ".";
   }
   return text;
 }

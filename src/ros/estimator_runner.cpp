@@ -22,7 +22,10 @@ bool isDue(const ros::Time& now, const ros::Time& last, double period)
 }  // namespace
 
 EstimatorRunner::EstimatorRunner(const monitor::Config& config)
-  : estimator_(config), adapter_(estimator_, transforms_), statistics_(1.0 / config.rate)
+  : estimator_(config),
+    adapter_(estimator_, transforms_),
+    transform_poses_(config, transforms_),
+    statistics_(1.0 / config.rate)
 {
   estimator_.setBackgroundStart(true);
 }
@@ -80,18 +83,19 @@ void EstimatorRunner::takeMessages(const ros::Time& now)
 
 void EstimatorRunner::takeMessage(const ReceivedMessage& received)
 {
-  const std::string topic = received.topic ? received.topic->name : received.are_static ? "/tf_static" : "/tf";
   const ros::Time& now = received.received;
   if (now.isZero())
-    return noteRefusal(topic, "simulated time has not begun: nothing on /clock yet");
+    return noteRefusal(received.topic, "simulated time has not begun: nothing on /clock yet");
+  if (received.unreadable)
+    return noteRefusal(received.topic, *received.unreadable);
   newest_received_ = std::max(newest_received_, received.received_wall);
-  guarded(topic,
+  guarded(received.topic,
           [&]
           {
-            if (!received.topic)
+            if (!received.source)
             {
               if (const auto error = addTransforms(*received.transforms, received.are_static, now, transforms_))
-                noteRefusal(topic, *error);
+                noteRefusal(received.topic, *error);
               return;
             }
             ensureTimeBase(now);
@@ -104,14 +108,14 @@ void EstimatorRunner::takeMessage(const ReceivedMessage& received)
             if (waits)
               early_.push_back({received.topic, message});
             else
-              accept(*received.topic, message, now);
+              accept(received.topic, message, now);
           });
 }
 
-void EstimatorRunner::accept(const InputTopic& topic, const InputMessage& message, const ros::Time& now)
+void EstimatorRunner::accept(const std::string& topic, const InputMessage& message, const ros::Time& now)
 {
   if (const std::optional<InputError> error = message.accept(adapter_, now))
-    noteRefusal(topic.name, *error);
+    noteRefusal(topic, *error);
 }
 
 // In order of their stamps, as a replay has them.
@@ -123,17 +127,17 @@ void EstimatorRunner::acceptEarly(const ros::Time& now)
                    [](const EarlyMessage& a, const EarlyMessage& b)
                    { return *a.message.stamp < *b.message.stamp; });
   for (auto early = early_.begin(); early != later; ++early)
-    guarded(early->topic->name, [&] { accept(*early->topic, early->message, now); });
+    guarded(early->topic, [&] { accept(early->topic, early->message, now); });
   early_.erase(early_.begin(), later);
 }
 
 void EstimatorRunner::noteStatistics(const ReceivedMessage& received)
 {
-  const InputTopic& topic = *received.topic;
+  const InputTopic& topic = *received.source->topic;
   const double t = time_.seconds(received.received);
   const double offset =
       received.message.stamp ? secondsBetween(*received.message.stamp, received.received) : std::nan("");
-  InputStatistics& statistics = diagnostics_.statistics[topic.name];
+  InputStatistics& statistics = diagnostics_.statistics[received.topic];
   statistics.add(t, offset, received.message.publisher);
   if (topic.is_pose && statistics.publisherCount(t) > 1)
     estimator_.noteImplausible(
@@ -210,6 +214,8 @@ void EstimatorRunner::step(const ros::Time& now)
 {
   ensureTimeBase(now);
   takeMessages(now);
+  transform_poses_.read(adapter_, now,
+                        [this](const std::string& frame, const InputError& error) { noteRefusal(frame, error); });
   monitor::ShellReport report;
   report.forecast_probability = diagnostics_.forecast_probability;
   report.resonance = nearnessOfResonance(diagnostics_.vibration);
@@ -221,6 +227,7 @@ void EstimatorRunner::step(const ros::Time& now)
   if (e.reason == monitor::Reason::CLOCK_JUMP && now < last_cycle_)
   {
     transforms_.clear();
+    transform_poses_.clear();
     early_.clear();
     diagnostics_.statistics.clear();
     last_alarms_ = ros::Time();

@@ -5,6 +5,11 @@
 
 namespace tether_monitor
 {
+namespace
+{
+constexpr double LARGEST_VARIANCE = 1e12;
+}
+
 Eigen::Vector3d vector(const geometry_msgs::Point& p)
 {
   return {p.x, p.y, p.z};
@@ -56,13 +61,22 @@ geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q)
   return message;
 }
 
-core::Matrix3 block(const boost::array<double, 36>& covariance, int first)
+core::Matrix3 block(const boost::array<double, 9>& covariance)
 {
-  constexpr double MOST = 1e12;
   core::Matrix3 block;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      block(row, column) = std::clamp(covariance[6 * (first + row) + first + column], -MOST, MOST);
+      block(row, column) = std::clamp(covariance[3 * row + column], -LARGEST_VARIANCE, LARGEST_VARIANCE);
+  return 0.5 * (block + block.transpose());
+}
+
+core::Matrix3 block(const boost::array<double, 36>& covariance, int first)
+{
+  core::Matrix3 block;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      block(row, column) =
+          std::clamp(covariance[6 * (first + row) + first + column], -LARGEST_VARIANCE, LARGEST_VARIANCE);
   return 0.5 * (block + block.transpose());
 }
 

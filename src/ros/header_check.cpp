@@ -11,8 +11,9 @@
 
 namespace tether_monitor
 {
-HeaderCheck::HeaderCheck(const monitor::Config& config, const tf2::BufferCore& transforms)
-  : config_(config), transforms_(transforms)
+HeaderCheck::HeaderCheck(const monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms,
+                         const SensorMounts& mounts, const TimeOrigin& time)
+  : estimator_(estimator), config_(estimator.config()), transforms_(transforms), mounts_(mounts), time_(time)
 {
 }
 
@@ -51,6 +52,19 @@ geometry_msgs::TransformStamped HeaderCheck::lookUp(const std::string& world, co
   }
 }
 
+// Nobody publishes where the vessel is, but we know.
+bool HeaderCheck::isOnVessel(const std_msgs::Header& header, Eigen::Isometry3d& transform) const
+{
+  const std::optional<monitor::BodyState> vessel = estimator_.vessel().bodyAt(time_.seconds(header.stamp));
+  Eigen::Isometry3d mount;
+  if (!vessel || mounts_.find(config_.vessel, header.frame_id, mount))
+    return false;
+  transform.linear() = vessel->orientation.toRotationMatrix();
+  transform.translation() = vessel->position;
+  transform = transform * mount;
+  return true;
+}
+
 std::optional<InputError> HeaderCheck::transformToWorld(const std_msgs::Header& header,
                                                         Eigen::Isometry3d& transform) const
 {
@@ -67,6 +81,8 @@ std::optional<InputError> HeaderCheck::transformToWorld(const std_msgs::Header& 
   }
   catch (const tf2::TransformException& error)
   {
+    if (isOnVessel(header, transform))
+      return std::nullopt;
     return "frame '" + header.frame_id + "' cannot be transformed to '" + world + "': " + error.what();
   }
 }

@@ -13,43 +13,6 @@ namespace
 {
 using Result = std::optional<InputError>;
 
-// Of a body in a message, turned to the world and to the axes of the package; none if it says nothing (all zero).
-std::optional<Eigen::Quaterniond> orientationOf(const geometry_msgs::Quaternion& message,
-                                                const Eigen::Isometry3d& to_world, const monitor::BodyConfig& body)
-{
-  const Eigen::Quaterniond q = quaternion(message);
-  if (q.coeffs().isZero(0.0))
-    return std::nullopt;
-  const Eigen::Quaterniond turned = Eigen::Quaterniond(to_world.rotation()) * q;
-  return body.body_axes == monitor::BodyAxes::FRD ? turned * monitor::halfTurnAboutX() : turned;
-}
-
-// From the axes in which a body's messages are to the world.
-Eigen::Isometry3d messageAxesToWorld(const monitor::BodyConfig& body, const Eigen::Quaterniond& orientation)
-{
-  const bool is_turned = body.body_axes == monitor::BodyAxes::FRD;
-  return Eigen::Isometry3d(is_turned ? (orientation * monitor::halfTurnAboutX()).normalized()
-                                     : orientation.normalized());
-}
-
-// Zeros of which nothing tells how good they are: a field that nobody fills.
-bool isUnfilled(const geometry_msgs::TwistWithCovariance& twist)
-{
-  const auto isZero = [](const geometry_msgs::Vector3& v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; };
-  return isZero(twist.twist.linear) && isZero(twist.twist.angular) && block(twist.covariance, 0).isZero(0.0);
-}
-
-Result resultOf(monitor::Rejection rejection)
-{
-  return rejection == monitor::Rejection::NONE ? std::nullopt : Result(describe(rejection));
-}
-
-Result outOfBounds(const monitor::TwistMeasurement& rates)
-{
-  const Result error = tether_monitor::outOfBounds(Field::VELOCITY, rates.velocity);
-  return error ? error : tether_monitor::outOfBounds(Field::ANGULAR_VELOCITY, rates.angular_velocity);
-}
-
 Result outOfBounds(const core::Obstacle& obstacle)
 {
   Result error = outOfBounds(Field::POSITION, obstacle.position);
@@ -64,18 +27,12 @@ Result outOfBounds(const core::Obstacle& obstacle)
 }  // namespace
 
 InputAdapter::InputAdapter(monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms)
-  : estimator_(estimator), headers_(estimator.config(), transforms)
+  : estimator_(estimator),
+    mounts_(transforms),
+    headers_(estimator, transforms, mounts_, time_),
+    motion_(estimator, headers_, mounts_, time_),
+    sensors_(estimator, headers_, mounts_, time_)
 {
-}
-
-const monitor::MotionBuffer& InputAdapter::track(Body body) const
-{
-  return body == Body::VESSEL ? estimator_.vessel().track() : estimator_.vehicle().track();
-}
-
-const monitor::BodyConfig& InputAdapter::config(Body body) const
-{
-  return body == Body::VESSEL ? estimator_.config().vessel : estimator_.config().vehicle;
 }
 
 Result InputAdapter::noted(const Result& error, const ros::Time& now)
@@ -83,102 +40,6 @@ Result InputAdapter::noted(const Result& error, const ros::Time& now)
   if (error)
     estimator_.noteRejectedInput(time_.seconds(now));
   return error;
-}
-
-Result InputAdapter::accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
-{
-  return noted(tryPose(body, message, now), now);
-}
-
-Result InputAdapter::tryPose(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now)
-{
-  Eigen::Isometry3d to_world;
-  if (const Result error = headers_.check(message.header, now, to_world))
-    return error;
-  monitor::PoseMeasurement pose;
-  pose.t = time_.seconds(message.header.stamp);
-  pose.position = core::Vector3(to_world * vector(message.pose.position));
-  if (const Result error = outOfBounds(Field::POSITION, pose.position))
-    return error;
-  pose.orientation = orientationOf(message.pose.orientation, to_world, config(body));
-  return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
-}
-
-// A velocity log in the body: its axes turn with the body.
-Result InputAdapter::bodyAxesToWorld(Body body, const std_msgs::Header& header, const ros::Time& now,
-                                     Eigen::Isometry3d& to_world) const
-{
-  if (header.frame_id != config(body).frame)
-    return headers_.check(header, now, to_world);
-  if (const Result error = headers_.checkStamp(header, now))
-    return error;
-  to_world.setIdentity();
-  if (config(body).twist_frame == monitor::TwistFrame::WORLD)
-    return std::nullopt;
-  if (!track(body).hasPose())
-    return "a twist in the body's frame before any pose";
-  to_world = messageAxesToWorld(config(body), track(body).lastOrientation());
-  return std::nullopt;
-}
-
-Result InputAdapter::accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
-{
-  return noted(tryTwist(body, message, now), now);
-}
-
-Result InputAdapter::tryTwist(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now)
-{
-  Eigen::Isometry3d to_world;
-  if (const Result error = bodyAxesToWorld(body, message.header, now, to_world))
-    return error;
-  monitor::TwistMeasurement rates;
-  rates.t = time_.seconds(message.header.stamp);
-  rates.velocity = core::Vector3(to_world.linear() * vector(message.twist.linear));
-  rates.angular_velocity = to_world.linear() * vector(message.twist.angular);
-  if (const Result error = outOfBounds(rates))
-    return error;
-  return resultOf(body == Body::VESSEL ? estimator_.addVessel(rates) : estimator_.addVehicle(rates));
-}
-
-Result InputAdapter::accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
-{
-  return noted(tryOdometry(body, message, now), now);
-}
-
-Result InputAdapter::tryOdometry(Body body, const nav_msgs::Odometry& message, const ros::Time& now)
-{
-  const auto& twist = message.twist.twist;
-  Eigen::Isometry3d to_world;
-  if (const Result error = headers_.check(message.header, now, to_world))
-    return error;
-  monitor::PoseMeasurement pose;
-  pose.t = time_.seconds(message.header.stamp);
-  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0), to_world,
-                                 NOT_MEASURED_STDDEV);
-  if (const Result error = outOfBounds(Field::POSITION, pose.position))
-    return error;
-  pose.orientation = orientationOf(message.pose.pose.orientation, to_world, config(body));
-  const monitor::MeasuredVector angles =
-      measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
-  if (!angles.isComplete())
-    pose.orientation.reset();
-
-  const Eigen::Quaterniond orientation = pose.orientation.value_or(track(body).lastOrientation());
-  const Eigen::Isometry3d body_to_world = config(body).twist_frame == monitor::TwistFrame::WORLD
-                                              ? Eigen::Isometry3d(to_world.rotation())
-                                              : messageAxesToWorld(config(body), orientation);
-  monitor::TwistMeasurement rates;
-  rates.t = pose.t;
-  rates.velocity =
-      measuredVector(vector(twist.linear), block(message.twist.covariance, 0), body_to_world, NOT_MEASURED_STDDEV);
-  rates.angular_velocity = body_to_world.linear() * vector(twist.angular);
-  const bool knows_axes = pose.orientation || track(body).hasPose();
-  if (rates.velocity.isEmpty() || block(message.twist.covariance, 0).hasNaN() || isUnfilled(message.twist) ||
-      !knows_axes)
-    return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose) : estimator_.addVehicle(pose));
-  if (const Result error = outOfBounds(rates))
-    return error;
-  return resultOf(body == Body::VESSEL ? estimator_.addVessel(pose, rates) : estimator_.addVehicle(pose, rates));
 }
 
 Result InputAdapter::tryLength(double t, double length, double rate)
@@ -202,6 +63,39 @@ Result InputAdapter::accept(const Payout& message, const ros::Time& now)
   if (!error)
     error = tryLength(time_.seconds(message.header.stamp), message.length, message.rate);
   return noted(error, now);
+}
+
+Result InputAdapter::acceptLength(const std_msgs::Float64& message, const ros::Time& now)
+{
+  const Result error = outOfBounds(Field::LENGTH, message.data);
+  return noted(error ? error : tryLength(time_.seconds(now), message.data, monitor::TetherEstimate::NONE), now);
+}
+
+Result InputAdapter::accept(const sensor_msgs::JointState& message, const ros::Time& now)
+{
+  return noted(tryJoint(message, now), now);
+}
+
+Result InputAdapter::tryJoint(const sensor_msgs::JointState& message, const ros::Time& now)
+{
+  const std::optional<monitor::WinchJointConfig>& joint = estimator_.config().inputs.winch_joint;
+  if (!joint)
+    return "a JointState, and no payout_joint in the parameters (name, ratio)";
+  if (const Result error = headers_.checkStamp(message.header, now))
+    return error;
+  const auto name = std::find(message.name.begin(), message.name.end(), joint->name);
+  if (name == message.name.end())
+    return std::nullopt;  // of other joints
+  const auto k = static_cast<std::size_t>(name - message.name.begin());
+  if (k >= message.position.size())
+    return "joint '" + joint->name + "' has no position";
+  const double length = joint->offset + joint->ratio * message.position[k];
+  const double rate =
+      k < message.velocity.size() ? joint->ratio * message.velocity[k] : monitor::TetherEstimate::NONE;
+  Result error = outOfBounds(Field::LENGTH, length);
+  if (!error && !std::isnan(rate))
+    error = outOfBounds(Field::PAYOUT_RATE, rate);
+  return error ? error : tryLength(time_.seconds(message.header.stamp), length, rate);
 }
 
 Result InputAdapter::acceptTurns(const std_msgs::Float64& message, const ros::Time& now)
@@ -270,14 +164,22 @@ Result InputAdapter::acceptDepth(const std_msgs::Float64& message, const ros::Ti
   return std::nullopt;
 }
 
+Result InputAdapter::tryTension(double t, double tension)
+{
+  if (const Result error = outOfBounds(Field::FORCE, tension))
+    return error;
+  return errorOf(estimator_.addTension(t, tension));
+}
+
 Result InputAdapter::accept(const TensionMeasurement& message, const ros::Time& now)
 {
-  Result error = headers_.checkStamp(message.header, now);
-  if (!error)
-    error = outOfBounds(Field::FORCE, message.tension);
-  if (!error)
-    error = resultOf(estimator_.addTension(time_.seconds(message.header.stamp), message.tension));
-  return noted(error, now);
+  const Result error = headers_.checkStamp(message.header, now);
+  return noted(error ? error : tryTension(time_.seconds(message.header.stamp), message.tension), now);
+}
+
+Result InputAdapter::acceptTension(const std_msgs::Float64& message, const ros::Time& now)
+{
+  return noted(tryTension(time_.seconds(now), message.data), now);
 }
 
 Result InputAdapter::accept(const geometry_msgs::Vector3Stamped& message, const ros::Time& now)
@@ -285,7 +187,7 @@ Result InputAdapter::accept(const geometry_msgs::Vector3Stamped& message, const 
   Eigen::Isometry3d to_world;
   Result error = headers_.check(message.header, now, to_world);
   if (!error)
-    error = resultOf(
+    error = errorOf(
         estimator_.addDirection(time_.seconds(message.header.stamp), to_world.linear() * vector(message.vector)));
   return noted(error, now);
 }

@@ -3,15 +3,17 @@
 #include <ros/message_traits.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace tether_monitor
 {
 namespace
 {
-constexpr int BODY_QUEUE = 100, OTHER_QUEUE = 5;  // messages that wait
+using Result = std::optional<InputError>;
 
 template <typename Message>
-using Accept = std::function<std::optional<InputError>(InputAdapter&, const Message&, const ros::Time&)>;
+using Accept =
+    std::function<Result(InputAdapter&, const Message&, const ros::Time&, const monitor::SourceConfig&)>;
 
 template <typename Message>
 std::optional<ros::Time> stampOf(const Message& message)
@@ -21,97 +23,160 @@ std::optional<ros::Time> stampOf(const Message& message)
 }
 
 template <typename Message>
-InputMessage wrapped(const boost::shared_ptr<const Message>& message, const std::string& publisher,
-                     const Accept<Message>& accept)
+InputType type(const Accept<Message>& accept)
 {
-  return {stampOf(*message), publisher, [message, accept](InputAdapter& adapter, const ros::Time& now) {
-            return accept(adapter, *message, now);
-          }};
-}
-
-template <typename Message>
-InputTopic topic(const char* name, const char* meaning, InputStream stream, bool is_pose,
-                 const Accept<Message>& accept)
-{
-  InputTopic entry;
-  entry.name = name;
-  entry.type = ros::message_traits::datatype<Message>();
-  entry.meaning = meaning;
-  entry.stream = stream;
-  entry.is_pose = is_pose;
-  const std::string topic_name = name;
-  // What is large and rare must not pile up.
-  const int queue = stream == InputStream::OTHER ? OTHER_QUEUE : BODY_QUEUE;
-  entry.subscribe = [topic_name, queue, accept](ros::NodeHandle& nh, const InputTopic::Callback& callback)
+  InputType entry;
+  entry.name = ros::message_traits::datatype<Message>();
+  entry.read = [accept](const topic_tools::ShapeShifter& shape, const InputSource& source)
   {
-    using Event = ros::MessageEvent<const Message>;
-    const boost::function<void(const Event&)> receive = [accept, callback](const Event& event)
-    { callback(wrapped(event.getConstMessage(), event.getPublisherName(), accept)); };
-    ros::SubscribeOptions options;
-    options.template initByFullCallbackType<const Event&>(topic_name, queue, receive);
-    options.transport_hints = ros::TransportHints().tcpNoDelay();
-    return nh.subscribe(options);
-  };
-  entry.read = [accept](const rosbag::MessageInstance& instance) -> std::optional<InputMessage>
-  {
-    const boost::shared_ptr<const Message> message = instance.instantiate<Message>();
-    return message ? std::optional<InputMessage>(wrapped(message, instance.getCallerId(), accept)) : std::nullopt;
+    const boost::shared_ptr<const Message> message = shape.instantiate<Message>();
+    return InputMessage{stampOf(*message), "",
+                        [message, accept, config = source.config](InputAdapter& adapter, const ros::Time& now)
+                        { return accept(adapter, *message, now, config); }};
   };
   return entry;
 }
 
+// What InputAdapter has an accept() for.
 template <typename Message>
-InputTopic bodyTopic(const char* name, const char* meaning, Body body, bool is_pose)
+InputType type()
 {
-  const InputStream stream = body == Body::VESSEL ? InputStream::VESSEL : InputStream::VEHICLE;
-  return topic<Message>(name, meaning, stream, is_pose,
-                        [body](InputAdapter& adapter, const Message& message, const ros::Time& now)
-                        { return adapter.accept(body, message, now); });
+  return type<Message>([](InputAdapter& adapter, const Message& message, const ros::Time& now,
+                          const monitor::SourceConfig&) { return adapter.accept(message, now); });
 }
 
 template <typename Message>
-InputTopic otherTopic(const char* name, const char* meaning)
+InputType type(Result (InputAdapter::*accept)(const Message&, const ros::Time&))
 {
-  return topic<Message>(name, meaning, InputStream::OTHER, false,
-                        [](InputAdapter& adapter, const Message& message, const ros::Time& now)
-                        { return adapter.accept(message, now); });
+  return type<Message>([accept](InputAdapter& adapter, const Message& message, const ros::Time& now,
+                                const monitor::SourceConfig&) { return (adapter.*accept)(message, now); });
+}
+
+template <typename... Messages>
+InputTopic bodyTopic(const char* name, const char* meaning, Body body, bool is_pose)
+{
+  InputTopic topic;
+  topic.name = name;
+  topic.meaning = meaning;
+  topic.stream = body == Body::VESSEL ? InputStream::VESSEL : InputStream::VEHICLE;
+  topic.is_pose = is_pose;
+  topic.types = {type<Messages>([body](InputAdapter& adapter, const Messages& message, const ros::Time& now,
+                                       const monitor::SourceConfig& source)
+                                { return adapter.accept(body, message, now, source); })...};
+  return topic;
+}
+
+InputTopic otherTopic(const char* name, const char* meaning, std::vector<InputType> types)
+{
+  InputTopic topic;
+  topic.name = name;
+  topic.meaning = meaning;
+  topic.types = std::move(types);
+  return topic;
+}
+
+std::string withoutNumber(const std::string& name)
+{
+  const std::size_t last = name.find_last_not_of("23456789");
+  const bool has_number = last != std::string::npos && last + 2 == name.size();
+  return has_number ? name.substr(0, last + 1) : name;
 }
 }  // namespace
 
 const std::vector<InputTopic>& inputTopics()
 {
+  using namespace geometry_msgs;
+  using namespace sensor_msgs;
+  using std_msgs::Float64;
   static const std::vector<InputTopic> topics{
-      bodyTopic<geometry_msgs::PoseStamped>("vessel/pose", "where the vessel is", Body::VESSEL, true),
-      bodyTopic<geometry_msgs::PoseStamped>("vehicle/pose", "where the vehicle is", Body::VEHICLE, true),
-      bodyTopic<geometry_msgs::TwistStamped>("vessel/velocity", "velocity of the vessel", Body::VESSEL, false),
-      bodyTopic<geometry_msgs::TwistStamped>("vehicle/velocity", "velocity of the vehicle", Body::VEHICLE, false),
+      bodyTopic<PoseStamped, PoseWithCovarianceStamped, PointStamped>("vessel/pose", "where the vessel is",
+                                                                      Body::VESSEL, true),
+      bodyTopic<PoseStamped, PoseWithCovarianceStamped, PointStamped>("vehicle/pose", "where the vehicle is",
+                                                                      Body::VEHICLE, true),
+      bodyTopic<TwistStamped, TwistWithCovarianceStamped>("vessel/velocity", "velocity of the vessel",
+                                                          Body::VESSEL, false),
+      bodyTopic<TwistStamped, TwistWithCovarianceStamped>("vehicle/velocity", "velocity of the vehicle",
+                                                          Body::VEHICLE, false),
       bodyTopic<nav_msgs::Odometry>("vessel/odom", "pose and velocity of the vessel", Body::VESSEL, true),
       bodyTopic<nav_msgs::Odometry>("vehicle/odom", "pose and velocity of the vehicle", Body::VEHICLE, true),
-      otherTopic<Payout>("payout", "deployed length and its rate"),
-      topic<std_msgs::Float64>("turns", "turns that the winch has paid out", InputStream::OTHER, false,
-                               &InputAdapter::acceptTurns),
-      topic<std_msgs::Float64>("vehicle/turns", "turns of the tether about itself", InputStream::OTHER, false,
-                               &InputAdapter::acceptTetherTurns),
-      otherTopic<nav_msgs::Path>("plan", "where the vessel is meant to go"),
-      topic<Payout>("payout/plan", "what the winch is meant to do", InputStream::OTHER, false,
-                    &InputAdapter::acceptPayoutPlan),
-      otherTopic<TensionMeasurement>("tension", "load cell at the vessel end"),
-      otherTopic<geometry_msgs::Vector3Stamped>("vessel_end/direction",
-                                                "direction in which the tether leaves the vessel"),
-      otherTopic<CurrentProfile>("current", "current by depth"),
-      otherTopic<ObstacleArray>("obstacles", "what the tether may touch"),
-      topic<std_msgs::Float64>("seabed", "depth of the sea", InputStream::OTHER, false,
-                               &InputAdapter::acceptDepth),
-      otherTopic<geometry_msgs::WrenchStamped>("vehicle/thrust", "thrust of a simulated vehicle"),
+      bodyTopic<NavSatFix>("vessel/fix", "where a satellite antenna on the vessel is", Body::VESSEL, true),
+      bodyTopic<NavSatFix>("vehicle/fix", "where the vehicle is, on the globe", Body::VEHICLE, true),
+      bodyTopic<Imu>("vessel/imu", "attitude of the vessel", Body::VESSEL, false),
+      bodyTopic<Imu>("vehicle/imu", "attitude of the vehicle", Body::VEHICLE, false),
+      bodyTopic<Float64, FluidPressure>("vehicle/depth", "depth of the vehicle", Body::VEHICLE, false),
+      bodyTopic<AcousticFix>("vehicle/acoustic", "where a transducer hears the vehicle", Body::VEHICLE, true),
+      otherTopic("payout", "deployed length and its rate",
+                 {type<Payout>(), type(&InputAdapter::acceptLength), type<JointState>()}),
+      otherTopic("turns", "turns that the winch has paid out", {type(&InputAdapter::acceptTurns)}),
+      otherTopic("vehicle/turns", "turns of the tether about itself", {type(&InputAdapter::acceptTetherTurns)}),
+      otherTopic("plan", "where the vessel is meant to go", {type<nav_msgs::Path>()}),
+      otherTopic("payout/plan", "what the winch is meant to do", {type(&InputAdapter::acceptPayoutPlan)}),
+      otherTopic("tension", "load cell at the vessel end",
+                 {type<TensionMeasurement>(), type(&InputAdapter::acceptTension)}),
+      otherTopic("vessel_end/direction", "direction in which the tether leaves the vessel",
+                 {type<Vector3Stamped>()}),
+      otherTopic("current", "current by depth", {type<CurrentProfile>()}),
+      otherTopic("obstacles", "what the tether may touch", {type<ObstacleArray>()}),
+      otherTopic("seabed", "depth of the sea", {type(&InputAdapter::acceptDepth)}),
+      otherTopic("vehicle/thrust", "thrust of a simulated vehicle", {type<WrenchStamped>()}),
   };
   return topics;
 }
 
+std::string InputTopic::typeNames() const
+{
+  std::string text;
+  for (std::size_t i = 0; i < types.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == types.size() ? " or " : ", ") + types[i].name;
+  return text;
+}
+
 const InputTopic* findInputTopic(const std::string& name)
 {
-  const auto found = std::find_if(inputTopics().begin(), inputTopics().end(),
-                                  [&](const InputTopic& topic) { return topic.name == name; });
+  const auto isNamed = [](const std::string& wanted)
+  { return [&wanted](const InputTopic& topic) { return topic.name == wanted; }; };
+  auto found = std::find_if(inputTopics().begin(), inputTopics().end(), isNamed(name));
+  if (found == inputTopics().end())
+    found = std::find_if(inputTopics().begin(), inputTopics().end(), isNamed(withoutNumber(name)));
   return found == inputTopics().end() ? nullptr : &*found;
+}
+
+Result InputSource::read(const topic_tools::ShapeShifter& message, const std::string& publisher,
+                         InputMessage& out) const
+{
+  const auto known = std::find_if(topic->types.begin(), topic->types.end(),
+                                  [&](const InputType& type) { return type.name == message.getDataType(); });
+  if (known == topic->types.end())
+    return "its type is " + message.getDataType() + ", not " + topic->typeNames();
+  try
+  {
+    out = known->read(message, *this);
+  }
+  catch (const std::exception& error)
+  {
+    return message.getDataType() + " cannot be read: " + error.what();
+  }
+  out.publisher = publisher;
+  return std::nullopt;
+}
+
+std::vector<InputSource> inputSources(const monitor::InputsConfig& config)
+{
+  std::vector<InputSource> sources;
+  for (const InputTopic& topic : inputTopics())
+    sources.push_back({&topic, config.source(topic.name)});
+  for (const monitor::SourceConfig& source : config.sources)
+  {
+    const InputTopic* topic = findInputTopic(source.topic);
+    const bool is_body = topic && topic->stream != InputStream::OTHER;
+    if (!is_body)
+      throw std::invalid_argument(
+          "inputs: '" + source.topic +
+          "' is no topic of a body (such as vessel/fix, or vehicle/pose2 for a second source)");
+    if (topic->name != source.topic)
+      sources.push_back({topic, source});
+  }
+  return sources;
 }
 
 }  // namespace tether_monitor

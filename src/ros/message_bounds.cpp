@@ -40,6 +40,12 @@ double mostOf(Field field)
   return boundOf(field).most;
 }
 
+std::optional<InputError> errorOf(monitor::Rejection rejection)
+{
+  return rejection == monitor::Rejection::NONE ? std::nullopt
+                                               : std::optional<InputError>(monitor::describe(rejection));
+}
+
 std::optional<InputError> outOfBounds(Field field, double x)
 {
   const FieldBound& bound = boundOf(field);

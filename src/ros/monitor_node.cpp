@@ -15,7 +15,19 @@ namespace
 constexpr double DIAGNOSTIC_PERIOD = 1.0;  // [s], wall clock: diagnostics also tell of a clock that stands still
 constexpr double VIBRATION_PERIOD = 10.0;  // [s], wall clock: natural modes take milliseconds
 constexpr double SHORTEST_RESET_INTERVAL = 1.0;  // [s], wall clock: a start takes some time
-constexpr int TRANSFORM_QUEUE = 100;
+constexpr int BODY_QUEUE = 100, OTHER_QUEUE = 5, TRANSFORM_QUEUE = 100;  // messages that wait
+
+std::vector<InputSource> sourcesOf(const monitor::Config& config, const std::string& where)
+{
+  try
+  {
+    return inputSources(config.inputs);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw params::ParameterError(where, {error.what()});
+  }
+}
 }  // namespace
 
 MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -37,6 +49,7 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
             [this](double lateness) { cycle(lateness); })
 {
   const monitor::Config& config = runner_.config();
+  sources_ = sourcesOf(config, private_nh.getNamespace());
   if (std::optional<KeptState> kept = keeper_.read())
     runner_.adopt(std::move(*kept));
   advertiseServices();
@@ -58,19 +71,32 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
 
 void MonitorNode::subscribe()
 {
-  for (const InputTopic& topic : inputTopics())
-    subscribers_.push_back(topic.subscribe(nh_,
-                                           [this, &topic](const InputMessage& message)
-                                           {
-                                             ReceivedMessage received;
-                                             received.topic = &topic;
-                                             received.message = message;
-                                             received.received = ros::Time::now();
-                                             received.received_wall = ros::WallTime::now();
-                                             runner_.receive(received);
-                                           }));
+  for (const InputSource& source : sources_)
+    subscribeTo(source);
   subscribeToTransforms("/tf", false);
   subscribeToTransforms("/tf_static", true);
+}
+
+// Of any type: what is published decides.
+void MonitorNode::subscribeTo(const InputSource& source)
+{
+  using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
+  const boost::function<void(const Event&)> receive = [this, &source](const Event& event)
+  {
+    ReceivedMessage received;
+    received.topic = source.config.topic;
+    received.unreadable = source.read(*event.getConstMessage(), event.getPublisherName(), received.message);
+    received.source = received.unreadable ? nullptr : &source;
+    received.received = ros::Time::now();
+    received.received_wall = ros::WallTime::now();
+    runner_.receive(received);
+  };
+  ros::SubscribeOptions options;
+  // What is large and rare must not pile up.
+  const int queue = source.topic->stream == InputStream::OTHER ? OTHER_QUEUE : BODY_QUEUE;
+  options.initByFullCallbackType<const Event&>(source.config.topic, queue, receive);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  subscribers_.push_back(nh_.subscribe(options));
 }
 
 void MonitorNode::subscribeToTransforms(const std::string& topic, bool is_static)
@@ -79,6 +105,7 @@ void MonitorNode::subscribeToTransforms(const std::string& topic, bool is_static
       [this, is_static](const tf2_msgs::TFMessageConstPtr& message)
   {
     ReceivedMessage received;
+    received.topic = is_static ? "/tf_static" : "/tf";
     received.transforms = message;
     received.are_static = is_static;
     received.received = ros::Time::now();

@@ -5,8 +5,8 @@
 
 namespace tether_monitor::params
 {
-/// The keys of `solver`, errors collected in `in`. @param members  in and out: of the ensemble.
-core::StepperOptions loadSolver(ParameterReader in, int& members);
+/// The keys of `solver`, errors collected in `in`.
+void loadSolver(ParameterReader in, monitor::Config& config);
 
 /// The groups `tension_sensor` and `direction_sensor`.
 void loadSensors(ParameterReader& in, monitor::UncertaintyConfig& uncertainty);

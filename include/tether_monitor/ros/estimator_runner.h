@@ -15,6 +15,7 @@
 #include "tether_monitor/ros/input_queue.h"
 #include "tether_monitor/ros/priority_mutex.h"
 #include "tether_monitor/ros/state_keeper.h"
+#include "tether_monitor/ros/transform_pose_reader.h"
 
 namespace tether_monitor
 {
@@ -56,7 +57,7 @@ class EstimatorRunner
   bool guarded(const std::string& what, const Work& work);
   void takeMessages(const ros::Time& now);
   void takeMessage(const ReceivedMessage& received);
-  void accept(const InputTopic& topic, const InputMessage& message, const ros::Time& now);
+  void accept(const std::string& topic, const InputMessage& message, const ros::Time& now);
   void acceptEarly(const ros::Time& now);
   void noteStatistics(const ReceivedMessage& received);
   void noteRefusal(const std::string& topic, const InputError& why);
@@ -70,6 +71,7 @@ class EstimatorRunner
   monitor::TetherEstimator estimator_;
   tf2::BufferCore transforms_;
   InputAdapter adapter_;
+  TransformPoseReader transform_poses_;
   InputQueue queue_;
   DiagnosticInputs diagnostics_;
   CycleStatistics statistics_;
@@ -82,7 +84,7 @@ class EstimatorRunner
 
   struct EarlyMessage
   {
-    const InputTopic* topic;
+    std::string topic;
     InputMessage message;
   };
   std::vector<EarlyMessage> early_;  // stamped ahead of the clock; in mode observed they wait for their time

@@ -29,6 +29,8 @@ geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q);
 
 /// A diagonal block of a covariance: of the linear part (first = 0) or the angular one (first = 3). Symmetric.
 core::Matrix3 block(const boost::array<double, 36>& covariance, int first);
+/// A covariance of three numbers, symmetric.
+core::Matrix3 block(const boost::array<double, 9>& covariance);
 void setBlock(const core::Matrix3& block, int first, boost::array<double, 36>& covariance);
 
 /**

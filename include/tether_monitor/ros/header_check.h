@@ -7,18 +7,23 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "tether_monitor/monitor/config/config.h"
+#include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/message_bounds.h"
+#include "tether_monitor/ros/sensor_mounts.h"
+#include "tether_monitor/ros/time_conversion.h"
 
 namespace tether_monitor
 {
-/// Looks at the stamp of a message and finds the transform of its frame. Every function returns nothing, or what
-/// is wrong.
+/**
+ * Looks at the stamp of a message and finds the transform of its frame: from the tree of transforms, or for a
+ * frame on the vessel from where that is. Every function returns nothing, or what is wrong.
+ */
 class HeaderCheck
 {
  public:
-  /// Both must outlive this object.
-  HeaderCheck(const monitor::Config& config, const tf2::BufferCore& transforms);
+  /// All must outlive this object.
+  HeaderCheck(const monitor::TetherEstimator& estimator, const tf2::BufferCore& transforms,
+              const SensorMounts& mounts, const TimeOrigin& time);
 
   std::optional<InputError> checkStamp(const std_msgs::Header& header, const ros::Time& now) const;
   /// Stamp and frame of a message. @param to_world  out: the transform of its frame.
@@ -31,8 +36,13 @@ class HeaderCheck
   /// Transform at the stamp, or the last one if that is at most pose_timeout away. @throws tf2::TransformException
   geometry_msgs::TransformStamped lookUp(const std::string& world, const std_msgs::Header& header) const;
 
+  bool isOnVessel(const std_msgs::Header& header, Eigen::Isometry3d& transform) const;
+
+  const monitor::TetherEstimator& estimator_;
   const monitor::Config& config_;
   const tf2::BufferCore& transforms_;
+  const SensorMounts& mounts_;
+  const TimeOrigin& time_;
 };
 
 }  // namespace tether_monitor

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/Vector3Stamped.h>
 #include <geometry_msgs/WrenchStamped.h>
-#include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
+#include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
 #include <tether_monitor/CurrentProfile.h>
 #include <tether_monitor/ObstacleArray.h>
@@ -15,19 +13,23 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 
-#include "tether_monitor/monitor/estimator/tether_estimator.h"
-#include "tether_monitor/ros/header_check.h"
-#include "tether_monitor/ros/message_bounds.h"
-#include "tether_monitor/ros/time_conversion.h"
+#include "tether_monitor/ros/motion_input_adapter.h"
+#include "tether_monitor/ros/sensor_input_adapter.h"
 
 namespace tether_monitor
 {
-/// Which body a message is about.
-enum class Body
+/// True for the messages that MotionInputAdapter takes.
+template <typename Message, typename = void>
+struct IsMotion : std::false_type
 {
-  VESSEL,
-  VEHICLE
+};
+template <typename Message>
+struct IsMotion<Message, std::void_t<decltype(std::declval<MotionInputAdapter&>().take(
+                             Body(), std::declval<const Message&>(), ros::Time(), monitor::SourceConfig()))>>
+  : std::true_type
+{
 };
 
 /**
@@ -45,11 +47,23 @@ class InputAdapter
   /// Sets the epoch of the input clock; before the first message.
   void setTimeBase(const TimeOrigin& base) { time_ = base; }
 
-  std::optional<InputError> accept(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
-  std::optional<InputError> accept(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
-  /// Pose in header.frame_id, twist in the body's axes (child_frame_id).
-  std::optional<InputError> accept(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
+  /// Of the motion of a body: what MotionInputAdapter or SensorInputAdapter takes.
+  template <typename Message>
+  std::optional<InputError> accept(Body body, const Message& message, const ros::Time& now,
+                                   const monitor::SourceConfig& source = monitor::SourceConfig())
+  {
+    if constexpr (IsMotion<Message>::value)
+      return noted(motion_.take(body, message, now, source), now);
+    else
+      return noted(sensors_.take(body, message, now, source), now);
+  }
   std::optional<InputError> accept(const Payout& message, const ros::Time& now);
+  /// A winch whose joint is in the parameters (payout_joint); others in the message do not matter.
+  std::optional<InputError> accept(const sensor_msgs::JointState& message, const ros::Time& now);
+  /// Deployed length [m], as it is now.
+  std::optional<InputError> acceptLength(const std_msgs::Float64& message, const ros::Time& now);
+  /// Load cell at the vessel end [N], as it is now.
+  std::optional<InputError> acceptTension(const std_msgs::Float64& message, const ros::Time& now);
   /// Load cell at the vessel end.
   std::optional<InputError> accept(const TensionMeasurement& message, const ros::Time& now);
   /// Direction in which the tether leaves the vessel, any length, in mode observed.
@@ -71,12 +85,6 @@ class InputAdapter
 
  private:
   std::optional<InputError> noted(const std::optional<InputError>& error, const ros::Time& now);
-  std::optional<InputError> bodyAxesToWorld(Body body, const std_msgs::Header& header, const ros::Time& now,
-                                            Eigen::Isometry3d& to_world) const;
-
-  std::optional<InputError> tryTwist(Body body, const geometry_msgs::TwistStamped& message, const ros::Time& now);
-  std::optional<InputError> tryOdometry(Body body, const nav_msgs::Odometry& message, const ros::Time& now);
-  std::optional<InputError> tryPose(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now);
   std::optional<InputError> tryThrust(const geometry_msgs::WrenchStamped& message, const ros::Time& now);
   std::optional<InputError> tryObstacles(const ObstacleArray& message, const ros::Time& now);
   std::optional<InputError> tryCurrent(const CurrentProfile& message, const ros::Time& now);
@@ -84,12 +92,15 @@ class InputAdapter
   std::optional<InputError> tryTurns(const std_msgs::Float64& message, const ros::Time& now);
   std::optional<InputError> tryLength(double t, double length, double rate);
 
-  const monitor::MotionBuffer& track(Body body) const;
-  const monitor::BodyConfig& config(Body body) const;
+  std::optional<InputError> tryJoint(const sensor_msgs::JointState& message, const ros::Time& now);
+  std::optional<InputError> tryTension(double t, double tension);
 
   monitor::TetherEstimator& estimator_;
-  HeaderCheck headers_;
   TimeOrigin time_;
+  SensorMounts mounts_;
+  HeaderCheck headers_;
+  MotionInputAdapter motion_;
+  SensorInputAdapter sensors_;
 };
 
 }  // namespace tether_monitor

@@ -14,8 +14,10 @@ namespace tether_monitor
 /// One message between its callback and the cycle that takes it: of an input topic, or transforms.
 struct ReceivedMessage
 {
-  const InputTopic* topic = nullptr;  ///< null: transforms.
+  const InputSource* source = nullptr;  ///< null: transforms, or a message that could not be read.
   InputMessage message;
+  std::string topic;  ///< relative name.
+  std::optional<InputError> unreadable;
   boost::shared_ptr<const tf2_msgs::TFMessage> transforms;
   bool are_static = false;
   ros::Time received;           ///< of the input clock.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <ros/ros.h>
-#include <rosbag/message_instance.h>
+#include <topic_tools/shape_shifter.h>
 
 #include <functional>
 #include <optional>
@@ -20,6 +19,8 @@ enum class InputStream
   OTHER
 };
 
+struct InputSource;
+
 /// One message, ready to be given to an adapter.
 struct InputMessage
 {
@@ -28,29 +29,52 @@ struct InputMessage
   std::function<std::optional<InputError>(InputAdapter&, const ros::Time& now)> accept;
 };
 
+/// A type of message that a topic may have.
+struct InputType
+{
+  std::string name;  ///< package/Type
+  /// @throws ros::Exception if the message is another version of the type.
+  std::function<InputMessage(const topic_tools::ShapeShifter&, const InputSource&)> read;
+};
+
 /**
- * A topic that the monitor subscribes to.
+ * A topic that the monitor subscribes to, of whichever of its types is published there.
  *
  * The one table of inputs: node and replay of bags follow it, tests compare README.md and launch/sim.launch with
- * it. A new input is an entry here, an accept() of InputAdapter, and a test: CONTRIBUTING.md has the recipe.
+ * it. A new input is an entry here, a take() of MotionInputAdapter or SensorInputAdapter or an accept() of
+ * InputAdapter, and a test: CONTRIBUTING.md has the recipe.
  */
 struct InputTopic
 {
-  using Callback = std::function<void(const InputMessage&)>;
-
-  std::string name;     ///< relative.
-  std::string type;     ///< of its messages.
+  std::string name;  ///< relative.
+  std::vector<InputType> types;
   std::string meaning;  ///< a phrase for the documents.
   InputStream stream = InputStream::OTHER;
   bool is_pose = false;  ///< says where the body of its stream is.
-  std::function<ros::Subscriber(ros::NodeHandle&, const Callback&)> subscribe;
-  /// Nothing if the message is of another type.
-  std::function<std::optional<InputMessage>(const rosbag::MessageInstance&)> read;
+
+  /// "a/A, b/B or c/C"
+  std::string typeNames() const;
 };
 
 /// All of them.
 const std::vector<InputTopic>& inputTopics();
-/// That with a relative name; null if there is none.
+/// That with a relative name, with or without a number; null if there is none.
 const InputTopic* findInputTopic(const std::string& name);
+
+/// A topic as it is subscribed to: one of the table, or one more of its kind with a number, vehicle/pose2.
+struct InputSource
+{
+  const InputTopic* topic = nullptr;
+  monitor::SourceConfig config;  ///< its topic is the name.
+
+  /// @param publisher  name of the node that sent it.
+  /// @param out        the message, if nothing is wrong with its type.
+  std::optional<InputError> read(const topic_tools::ShapeShifter& message, const std::string& publisher,
+                                 InputMessage& out) const;
+};
+
+/// Every topic of the table, and those with a number that the configuration names. @throws std::invalid_argument
+/// naming a topic of the configuration that is none.
+std::vector<InputSource> inputSources(const monitor::InputsConfig& config);
 
 }  // namespace tether_monitor

@@ -6,6 +6,7 @@
 
 #include "tether_monitor/core/base/types.h"
 #include "tether_monitor/monitor/measurements/measured_vector.h"
+#include "tether_monitor/monitor/measurements/rejection.h"
 
 namespace tether_monitor
 {
@@ -44,6 +45,9 @@ struct FieldBound
 /// The one table of bounds: every number that arrives is held against it.
 const std::vector<FieldBound>& fieldBounds();
 double mostOf(Field field);
+
+/// Nothing for what was accepted.
+std::optional<InputError> errorOf(monitor::Rejection rejection);
 
 /// What is wrong with a number or vector: not finite, or beyond its bound; nothing if it is good.
 std::optional<InputError> outOfBounds(Field field, double x);

@@ -39,6 +39,7 @@ class MonitorNode
 
  private:
   void subscribe();
+  void subscribeTo(const InputSource& source);
   void subscribeToTransforms(const std::string& topic, bool is_static);
   void advertiseServices();
   void addDiagnostics();
@@ -57,6 +58,7 @@ class MonitorNode
   ros::Time last_seen_clock_;
   diagnostic_updater::Updater updater_;
   MasterWatch master_watch_;
+  std::vector<InputSource> sources_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
   ros::Timer tick_timer_;

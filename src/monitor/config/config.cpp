@@ -52,7 +52,7 @@ std::vector<std::string> validate(const UncertaintyConfig& u)
   return all;
 }
 
-void validateAccuracy(const std::string& prefix, const BodyConfig& body, std::vector<std::string>& all)
+void validateBody(const std::string& prefix, const BodyConfig& body, std::vector<std::string>& all)
 {
   core::BoundsCheck check(prefix);
   check.positive("least_stddev", body.least_stddev, "m");
@@ -60,6 +60,8 @@ void validateAccuracy(const std::string& prefix, const BodyConfig& body, std::ve
     check.positive("position_stddev", *body.position_stddev, "m");
   if (body.velocity_stddev)
     check.positive("velocity_stddev", *body.velocity_stddev, "m/s");
+  if (body.height)
+    check.within("height", *body.height, -100.0, 100.0, "m");
   add(check.problems(), all);
 }
 
@@ -103,8 +105,8 @@ std::vector<std::string> validate(const Config& c)
   if (c.vehicle_mode == VehicleMode::OBSERVED)
     add(validate(c.navigation), all);
   add(validate(c.uncertainty), all);
-  validateAccuracy("vessel.", c.vessel, all);
-  validateAccuracy("vehicle.", c.vehicle, all);
+  validateBody("vessel.", c.vessel, all);
+  validateBody("vehicle.", c.vehicle, all);
   validateClamp(c, "vessel", c.vessel, 0.0, all);
   validateClamp(c, "vehicle", c.vehicle, c.tether.length, all);
 
@@ -127,6 +129,7 @@ std::vector<std::string> validate(const Config& c)
               c.invalid_timeout, ">= pose_timeout, in s");
   add(check.problems(), all);
 
+  add(validate(c.inputs), all);
   core::BoundsCheck levers;
   levers.finite("vessel.attachment (norm)", c.vessel.attachment.norm(), "m");
   levers.finite("vehicle.attachment (norm)", c.vehicle.attachment.norm(), "m");

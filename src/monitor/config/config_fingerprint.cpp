@@ -95,6 +95,8 @@ std::uint64_t fingerprint(const Config& config)
     to(c.elements);
   to(c.solver.step, c.solver.spectral_radius, c.solver.max_halvings, c.solver.max_iterations, c.solver.scheme,
      c.solver.corrections, c.solver.courant, c.solver.newton.relative_tolerance, c.solver.newton.max_iterations);
+  if (c.inputs.datum)
+    to(c.inputs.datum->latitude, c.inputs.datum->longitude, c.inputs.datum->yaw, c.inputs.datum->altitude);
   for (const auto& [name, alarm] : config.alarms)
     to(name, alarm);
   return core::checksum(to.bytes());

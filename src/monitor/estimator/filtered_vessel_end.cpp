@@ -11,7 +11,9 @@ constexpr double INITIAL_VELOCITY_STDDEV = 0.2;  // likewise [m/s]
 
 Eigen::Quaterniond FilteredVesselEnd::orientationOf(const PoseMeasurement* pose) const
 {
-  return pose && pose->orientation ? *pose->orientation : track_.lastOrientation();
+  if (pose && pose->orientation)
+    return *pose->orientation;
+  return pose ? track_.orientationAt(pose->t) : track_.lastOrientation();
 }
 
 MeasuredVector FilteredVesselEnd::attachmentPosition(const PoseMeasurement& pose) const
@@ -34,6 +36,8 @@ MeasuredVector FilteredVesselEnd::attachmentVelocity(const TwistMeasurement& twi
 Rejection FilteredVesselEnd::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
 {
   Rejection rejection = Rejection::NONE;
+  if (pose && pose->isAttitude())
+    return track_.checkAttitude(pose->t, *pose->orientation, pose->angular_velocity);
   if (pose)
     rejection = track_.checkPose(pose->t, pose->position.value(), orientationOf(pose));
   if (pose && canBeReordered(rejection))
@@ -50,6 +54,8 @@ Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasure
   const Rejection rejection = check(pose, twist);
   if (rejection != Rejection::NONE)
     return rejection;
+  if (pose && pose->isAttitude())
+    return track_.addAttitude(pose->t, *pose->orientation, pose->angular_velocity);
   if (pose)
   {
     const MeasuredVector position = attachmentPosition(*pose);
@@ -73,6 +79,16 @@ Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasure
     filter_.addVelocity(twist->t, velocity);
   }
   return Rejection::NONE;
+}
+
+std::optional<BodyState> FilteredVesselEnd::bodyAt(double t) const
+{
+  if (!filter_.hasPosition())
+    return std::nullopt;
+  const core::EndMotion end = filter_.at(t).end;
+  const Eigen::Quaterniond orientation = track_.orientationAt(t);
+  return BodyState{end.position - orientation * body_.attachment, orientation, end.velocity,
+                   core::Vector3::Zero()};
 }
 
 void FilteredVesselEnd::setInitialMotion(double t, const BodyState& vessel)

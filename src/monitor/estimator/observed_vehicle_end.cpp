@@ -42,10 +42,14 @@ VehicleMeasurement ObservedVehicleEnd::velocityFix(const TwistMeasurement& twist
 Rejection ObservedVehicleEnd::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
 {
   Rejection rejection = Rejection::NONE;
+  if (pose && pose->isAttitude())
+    return track_.checkAttitude(pose->t, *pose->orientation, pose->angular_velocity);
+  if (pose && pose->position.isEmpty())
+    return Rejection::NOT_MEASURED;
   if (pose)
     rejection =
         track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
-  if (pose && canBeReordered(rejection) && !pose->position.isEmpty())
+  if (pose && canBeReordered(rejection))
     rejection = ensemble_.check(positionFix(*pose));
   if (canBeReordered(rejection) && twist)
     rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
@@ -59,14 +63,19 @@ Rejection ObservedVehicleEnd::add(const PoseMeasurement* pose, const TwistMeasur
   const Rejection rejection = check(pose, twist);
   if (rejection != Rejection::NONE)
     return rejection;
+  if (pose && pose->isAttitude())
+  {
+    track_.addAttitude(pose->t, *pose->orientation, pose->angular_velocity);
+    ensemble_.setAttitude(pose->orientation->normalized());
+    return Rejection::NONE;
+  }
   if (pose)
   {
     const Rejection order =
         track_.addPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
     if (pose->orientation && order == Rejection::NONE)
       ensemble_.setAttitude(pose->orientation->normalized());
-    if (!pose->position.isEmpty())
-      ensemble_.add(positionFix(*pose));
+    ensemble_.add(positionFix(*pose));
   }
   if (twist)
   {

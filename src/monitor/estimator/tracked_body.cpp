@@ -9,14 +9,32 @@ TrackedBody::TrackedBody(const BodyConfig& body, double longest_interval)
 {
 }
 
+std::optional<core::Vector3> TrackedBody::completed(const PoseMeasurement& pose) const
+{
+  core::Vector3 position = pose.position.value();
+  if (!pose.position.isMeasured(0) || !pose.position.isMeasured(1))
+    return std::nullopt;
+  if (const std::optional<double> height = heights_.at(pose.t, longest_interval_))
+    position.z() = *height;
+  else if (!pose.position.isMeasured(2))
+    return std::nullopt;
+  return position;
+}
+
+Rejection TrackedBody::checkPose(const PoseMeasurement& pose) const
+{
+  if (pose.isHeight())
+    return heights_.check(pose.t, pose.position.value().z());
+  if (pose.isAttitude())
+    return track_.checkAttitude(pose.t, *pose.orientation, pose.angular_velocity);
+  const std::optional<core::Vector3> position = completed(pose);
+  return position ? track_.checkPose(pose.t, *position, pose.orientation.value_or(track_.lastOrientation()))
+                  : Rejection::NOT_MEASURED;
+}
+
 Rejection TrackedBody::check(const PoseMeasurement* pose, const TwistMeasurement* twist) const
 {
-  Rejection rejection = Rejection::NONE;
-  if (pose && !pose->position.isComplete())
-    return Rejection::NOT_MEASURED;
-  if (pose)
-    rejection =
-        track_.checkPose(pose->t, pose->position.value(), pose->orientation.value_or(track_.lastOrientation()));
+  Rejection rejection = pose ? checkPose(*pose) : Rejection::NONE;
   if (rejection == Rejection::NONE && twist)
     rejection = track_.checkTwist(twist->t, twist->velocity.value(), twist->angular_velocity);
   return rejection;
@@ -27,29 +45,40 @@ Rejection TrackedBody::add(const PoseMeasurement* pose, const TwistMeasurement* 
   const Rejection rejection = check(pose, twist);
   if (rejection != Rejection::NONE)
     return rejection;
-  if (pose && !addPose(*pose))
+  if (pose && isPart(*pose))
+    addPart(*pose);
+  else if (pose && !addPose(pose->t, *completed(*pose), pose->orientation))
     return Rejection::IMPLAUSIBLE;
   if (twist && twist->velocity.isComplete())
     addTwist(*twist);
   return Rejection::NONE;
 }
 
-bool TrackedBody::addPose(const PoseMeasurement& pose)
+void TrackedBody::addPart(const PoseMeasurement& part)
+{
+  if (part.isHeight())
+    heights_.add(part.t, part.position.value().z());
+  else
+    track_.addAttitude(part.t, *part.orientation, part.angular_velocity);
+}
+
+bool TrackedBody::addPose(double t, const core::Vector3& position,
+                          const std::optional<Eigen::Quaterniond>& measured_orientation)
 {
   using Verdict = MotionPlausibility::Verdict;
-  const Verdict verdict = plausibility_.check(pose.t, pose.position.value(), track_);
+  const Verdict verdict = plausibility_.check(t, position, track_);
   if (verdict == Verdict::DOUBTFUL)
     return false;
   if (!plausibility_.trustsVelocity())
     track_.clearRates();
-  const Eigen::Quaterniond orientation = pose.orientation.value_or(track_.lastOrientation());
+  const Eigen::Quaterniond orientation = measured_orientation.value_or(track_.orientationAt(t));
   if (verdict == Verdict::REACQUIRED)
   {
     track_.clear();
     blender_.reset();
     has_leapt_ = true;
   }
-  track_.addPose(pose.t, pose.position.value(), orientation);
+  track_.addPose(t, position, orientation);
   return true;
 }
 
@@ -67,6 +96,7 @@ void TrackedBody::addTwist(const TwistMeasurement& twist)
 void TrackedBody::clear()
 {
   track_.clear();
+  heights_.clear();
   blender_.reset();
   plausibility_.clear();
   has_leapt_ = false;

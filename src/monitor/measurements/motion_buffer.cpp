@@ -8,7 +8,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double RATES_REACH = 0.5;  // [s] over which a measured rate may stand for another time
+constexpr double RATES_REACH = 0.5;     // [s] over which a measured rate may stand for another time
+constexpr double ATTITUDE_REACH = 0.5;  // [s] over which an attitude goes on turning
 constexpr double UNIT_TOLERANCE = 0.01;
 
 // Keeps a full buffer from growing: what comes too fast takes the place of the last, else the older half goes.
@@ -40,21 +41,28 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const core::Vector3& r
     return from;
   return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, rate.normalized())) * from).normalized();
 }
+
+Rejection checkOrientation(double t, const Eigen::Quaterniond& orientation)
+{
+  if (!std::isfinite(t) || !orientation.coeffs().allFinite())
+    return Rejection::NOT_FINITE;
+  return std::abs(orientation.norm() - 1.0) > UNIT_TOLERANCE ? Rejection::BAD_QUATERNION : Rejection::NONE;
+}
 }  // namespace
 
 MotionBuffer::MotionBuffer()
 {
   poses_.reserve(CAPACITY);
   rates_.reserve(CAPACITY);
+  attitudes_.reserve(CAPACITY);
 }
 
 Rejection MotionBuffer::checkPose(double t, const core::Vector3& position,
                                   const Eigen::Quaterniond& orientation) const
 {
-  if (!std::isfinite(t) || !position.allFinite() || !orientation.coeffs().allFinite())
-    return Rejection::NOT_FINITE;
-  if (std::abs(orientation.norm() - 1.0) > UNIT_TOLERANCE)
-    return Rejection::BAD_QUATERNION;
+  const Rejection rejection = position.allFinite() ? checkOrientation(t, orientation) : Rejection::NOT_FINITE;
+  if (rejection != Rejection::NONE)
+    return rejection;
   return !poses_.empty() && t <= poses_.back().t ? Rejection::OUT_OF_ORDER : Rejection::NONE;
 }
 
@@ -86,10 +94,32 @@ Rejection MotionBuffer::addTwist(double t, const core::Vector3& velocity, const 
   return Rejection::NONE;
 }
 
+Rejection MotionBuffer::checkAttitude(double t, const Eigen::Quaterniond& orientation,
+                                      const std::optional<core::Vector3>& angular_velocity) const
+{
+  const bool is_finite = !angular_velocity || angular_velocity->allFinite();
+  const Rejection rejection = is_finite ? checkOrientation(t, orientation) : Rejection::NOT_FINITE;
+  if (rejection != Rejection::NONE)
+    return rejection;
+  return !attitudes_.empty() && t <= attitudes_.back().t ? Rejection::OUT_OF_ORDER : Rejection::NONE;
+}
+
+Rejection MotionBuffer::addAttitude(double t, const Eigen::Quaterniond& orientation,
+                                    const std::optional<core::Vector3>& angular_velocity)
+{
+  const Rejection rejection = checkAttitude(t, orientation, angular_velocity);
+  if (rejection != Rejection::NONE)
+    return rejection;
+  makeRoom(attitudes_);
+  attitudes_.push_back({t, orientation.normalized(), angular_velocity});
+  return Rejection::NONE;
+}
+
 void MotionBuffer::clear()
 {
   poses_.clear();
   rates_.clear();
+  attitudes_.clear();
 }
 
 double MotionBuffer::age(double t) const
@@ -113,6 +143,9 @@ bool MotionBuffer::canInterpolate(double t) const
 
 Eigen::Quaterniond MotionBuffer::lastOrientation() const
 {
+  const bool is_attitude = !attitudes_.empty() && attitudes_.back().t >= lastPoseTime();
+  if (is_attitude)
+    return attitudes_.back().orientation;
   return poses_.empty() ? Eigen::Quaterniond::Identity() : poses_.back().orientation;
 }
 
@@ -193,17 +226,63 @@ MotionBuffer::Slope MotionBuffer::slopeAt(std::size_t pose) const
 
 bool MotionBuffer::isValid() const
 {
-  bool sound = poses_.size() <= CAPACITY && rates_.size() <= CAPACITY;
+  bool sound = poses_.size() <= CAPACITY && rates_.size() <= CAPACITY && attitudes_.size() <= CAPACITY;
   for (std::size_t i = 0; i < poses_.size(); ++i)
     sound = sound && std::isfinite(poses_[i].t) && poses_[i].position.allFinite() &&
             std::abs(poses_[i].orientation.norm() - 1.0) < 1e-6 && (i == 0 || poses_[i].t > poses_[i - 1].t);
   for (std::size_t i = 0; i < rates_.size(); ++i)
     sound = sound && std::isfinite(rates_[i].t) && rates_[i].velocity.allFinite() &&
             rates_[i].angular_velocity.allFinite() && (i == 0 || rates_[i].t > rates_[i - 1].t);
+  for (std::size_t i = 0; i < attitudes_.size(); ++i)
+    sound = sound && std::isfinite(attitudes_[i].t) && std::abs(attitudes_[i].orientation.norm() - 1.0) < 1e-6 &&
+            (!attitudes_[i].angular_velocity || attitudes_[i].angular_velocity->allFinite()) &&
+            (i == 0 || attitudes_[i].t > attitudes_[i - 1].t);
   return sound;
 }
 
+std::optional<MotionBuffer::Turning> MotionBuffer::measuredTurning(double t) const
+{
+  const auto after = std::upper_bound(attitudes_.begin(), attitudes_.end(), t,
+                                      [](double x, const Attitude& a) { return x < a.t; });
+  if (after == attitudes_.begin())
+    return std::nullopt;
+  const Attitude& last = *std::prev(after);
+  const bool is_between = after != attitudes_.end();
+  if (t - last.t > ATTITUDE_REACH)
+    return std::nullopt;
+  if (is_between)
+  {
+    const double share = (t - last.t) / (after->t - last.t);
+    return Turning{last.orientation.slerp(share, after->orientation),
+                   rotationRate(last.orientation, after->orientation, after->t - last.t)};
+  }
+  core::Vector3 rate = core::Vector3::Zero();
+  if (last.angular_velocity)
+    rate = *last.angular_velocity;
+  else if (after - attitudes_.begin() >= 2)
+    rate = rotationRate(std::prev(after, 2)->orientation, last.orientation, last.t - std::prev(after, 2)->t);
+  return Turning{turned(last.orientation, rate, t - last.t), rate};
+}
+
+Eigen::Quaterniond MotionBuffer::orientationAt(double t) const
+{
+  if (const std::optional<Turning> turning = measuredTurning(t))
+    return turning->orientation;
+  return hasPose() ? poseAt(t).orientation : lastOrientation();
+}
+
 BodyState MotionBuffer::at(double t) const
+{
+  BodyState state = poseAt(t);
+  if (const std::optional<Turning> turning = measuredTurning(t))
+  {
+    state.orientation = turning->orientation;
+    state.angular_velocity = turning->angular_velocity;
+  }
+  return state;
+}
+
+BodyState MotionBuffer::poseAt(double t) const
 {
   const auto after =
       std::upper_bound(poses_.begin(), poses_.end(), t, [](double x, const Pose& p) { return x < p.t; });

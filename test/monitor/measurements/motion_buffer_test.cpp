@@ -70,6 +70,27 @@ TEST(MotionBuffer, TurnsTheLeverWithTheBody)
   EXPECT_NEAR(track.at(1.2).attachmentPoint({2, 0, 0}).position.y(), 2.0 * std::sin(0.6), 1e-3);
 }
 
+TEST(MotionBuffer, AttitudesThatComeByThemselvesAreTheOrientation)
+{
+  MotionBuffer track;
+  const auto yaw = [](double angle) { return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vector3::UnitZ())); };
+  EXPECT_FALSE(track.hasOrientation());
+  EXPECT_EQ(track.addAttitude(0.0, Eigen::Quaterniond(0, 0, 0, 0)), Rejection::BAD_QUATERNION);
+  EXPECT_EQ(track.addAttitude(0.0, yaw(0.0), Vector3(NAN, 0, 0)), Rejection::NOT_FINITE);
+  for (double t = 0.0; t < 1.05; t += 0.1)
+    ASSERT_EQ(track.addAttitude(t, yaw(0.3 * t)), Rejection::NONE);
+  EXPECT_EQ(track.addAttitude(0.5, yaw(0.0)), Rejection::OUT_OF_ORDER);
+  EXPECT_FALSE(track.hasPose());
+  EXPECT_TRUE(track.hasOrientation());
+  track.addPose(0.0, {0, 0, 0}, LEVEL);
+  track.addPose(1.0, {1, 0, 0}, LEVEL);
+  EXPECT_LT(track.at(0.55).orientation.angularDistance(yaw(0.165)), 1e-9);
+  EXPECT_NEAR(track.at(0.55).angular_velocity.z(), 0.3, 1e-9);
+  EXPECT_NEAR(track.at(0.55).position.x(), 0.55, 1e-9);
+  EXPECT_LT(track.at(1.2).orientation.angularDistance(yaw(0.36)), 1e-6) << "goes on turning";
+  EXPECT_LT(track.at(1.8).orientation.angularDistance(LEVEL), 1e-9) << "too old";
+}
+
 TEST(MotionBuffer, ForgetsTheOldestWhenFull)
 {
   MotionBuffer track;

@@ -26,10 +26,61 @@ TEST(InputTopics, HaveNamesOfTheirOwn)
   {
     EXPECT_TRUE(names.insert(topic.name).second) << topic.name;
     EXPECT_EQ(findInputTopic(topic.name), &topic);
-    EXPECT_FALSE(topic.type.empty());
+    EXPECT_FALSE(topic.types.empty());
     EXPECT_FALSE(topic.meaning.empty());
   }
   EXPECT_EQ(findInputTopic("vessel/pos"), nullptr);
+}
+
+TEST(InputTopics, NumberedOnesAreFurtherSources)
+{
+  EXPECT_EQ(findInputTopic("vehicle/pose3"), findInputTopic("vehicle/pose"));
+  EXPECT_EQ(findInputTopic("vehicle/pose1"), nullptr);
+  EXPECT_EQ(findInputTopic("vehicle/pose22"), nullptr);
+  monitor::InputsConfig config;
+  EXPECT_EQ(inputSources(config).size(), inputTopics().size());
+  config.sources = {{"vessel/fix", "antenna", 0.0, 2.0}, {"vehicle/pose2", "", 0.8, 1.5}};
+  const std::vector<InputSource> sources = inputSources(config);
+  ASSERT_EQ(sources.size(), inputTopics().size() + 1);
+  EXPECT_EQ(sources.back().config.topic, "vehicle/pose2");
+  EXPECT_EQ(sources.back().topic, findInputTopic("vehicle/pose"));
+  const auto fix = std::find_if(sources.begin(), sources.end(),
+                                [](const InputSource& source) { return source.config.topic == "vessel/fix"; });
+  EXPECT_EQ(fix->config.frame, "antenna");
+  for (const char* wrong : {"vehicle/pos", "tension", "payout2"})
+  {
+    config.sources = {{wrong, "", 0.0, std::nullopt}};
+    EXPECT_THROW(inputSources(config), std::invalid_argument) << wrong;
+  }
+}
+
+TEST(InputTopics, ReadWhicheverTypeIsPublished)
+{
+  const InputSource source{findInputTopic("vehicle/depth"), monitor::SourceConfig()};
+  const auto shapeOf = [](const auto& message)
+  {
+    topic_tools::ShapeShifter shape;
+    using Message = std::decay_t<decltype(message)>;
+    shape.morph(ros::message_traits::md5sum<Message>(), ros::message_traits::datatype<Message>(),
+                ros::message_traits::definition<Message>(), "0");
+    std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+    ros::serialization::OStream out(bytes.data(), bytes.size());
+    ros::serialization::serialize(out, message);
+    ros::serialization::IStream in(bytes.data(), bytes.size());
+    shape.read(in);
+    return shape;
+  };
+  InputMessage message;
+  EXPECT_EQ(source.read(shapeOf(std_msgs::Float64()), "/pilot", message), std::nullopt);
+  EXPECT_FALSE(message.stamp);
+  sensor_msgs::FluidPressure pressure;
+  pressure.header.stamp = ros::Time(7.0);
+  EXPECT_EQ(source.read(shapeOf(pressure), "/pilot", message), std::nullopt);
+  EXPECT_EQ(message.stamp, ros::Time(7.0));
+  EXPECT_EQ(message.publisher, "/pilot");
+  const auto error = source.read(shapeOf(sensor_msgs::Imu()), "/pilot", message);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(*error, "its type is sensor_msgs/Imu, not std_msgs/Float64 or sensor_msgs/FluidPressure");
 }
 
 TEST(InputTopics, EveryBodyHasPoses)
@@ -45,7 +96,8 @@ TEST(InputTopics, StandInTheReadmeWithTheirTypes)
   for (const InputTopic& topic : inputTopics())
   {
     EXPECT_NE(readme.find("`" + topic.name + "`"), std::string::npos) << topic.name;
-    EXPECT_NE(readme.find(topic.type.substr(topic.type.find('/') + 1)), std::string::npos) << topic.type;
+    for (const InputType& type : topic.types)
+      EXPECT_NE(readme.find(type.name.substr(type.name.find('/') + 1)), std::string::npos) << type.name;
   }
 }
 

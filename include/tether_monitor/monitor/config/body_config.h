@@ -44,6 +44,9 @@ struct BodyConfig
                                           ///< [m]; none: estimated from the data. Of a tracked vehicle: for bands.
   std::optional<double> velocity_stddev;  ///< the same of its velocity [m/s].
   double least_stddev = 0.005;            ///< no source of positions is believed to be better [m], > 0.
+  std::optional<double> height;  ///< of the reference point of a body that floats, over the still water, for
+                                 ///< satellite positions without one [m]; none: not assumed.
+  std::string tf_frame;          ///< whose transform is looked up for the pose in every cycle; empty: none.
   TwistFrame twist_frame = TwistFrame::CHILD;
   BodyAxes body_axes = BodyAxes::FLU;  ///< in which its messages are; everything here is in FLU.
 };

@@ -12,6 +12,7 @@
 #include "tether_monitor/monitor/config/alarm_config.h"
 #include "tether_monitor/monitor/config/body_config.h"
 #include "tether_monitor/monitor/config/forecast_config.h"
+#include "tether_monitor/monitor/config/inputs_config.h"
 #include "tether_monitor/monitor/config/navigation_config.h"
 #include "tether_monitor/monitor/config/runtime_config.h"
 #include "tether_monitor/monitor/config/uncertainty_config.h"
@@ -43,6 +44,7 @@ struct Config
   AlarmsConfig alarms;
   ForecastConfig forecast;
   RuntimeConfig runtime;
+  InputsConfig inputs;
 };
 
 /// Every bound that `config` violates, one sentence each, named as in the parameter tree; those of the alarms are

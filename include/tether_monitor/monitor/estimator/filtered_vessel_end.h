@@ -20,6 +20,7 @@ class FilteredVesselEnd final : public VesselEnd
   void aim(double t, EndTargets& targets) override;
   /// A steady state has no waves: it begins on the vessel's track and fades into its motion.
   void aimAtStart(double t, EndTargets& targets) override;
+  std::optional<BodyState> bodyAt(double t) const override;
   const MotionBuffer& track() const override { return track_; }
   const MotionPlausibility* plausibility() const override { return &plausibility_; }
   long outliers() const override { return filter_.outliers(); }

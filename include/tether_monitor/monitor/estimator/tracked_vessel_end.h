@@ -21,6 +21,10 @@ class TrackedVesselEnd final : public VesselEnd
   double age(double t) const override { return track().age(t); }
   void aim(double t, EndTargets& targets) override;
   void aimAtStart(double t, EndTargets& targets) override { aim(t, targets); }
+  std::optional<BodyState> bodyAt(double t) const override
+  {
+    return track().hasPose() ? std::optional<BodyState>(track().at(t)) : std::nullopt;
+  }
   const MotionBuffer& track() const override { return body_.track(); }
   const MotionPlausibility* plausibility() const override { return &body_.plausibility(); }
   bool takeLeap() override { return body_.takeLeap(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "tether_monitor/core/base/binary_archive.h"
 #include "tether_monitor/monitor/config/config.h"
@@ -33,6 +34,8 @@ class VesselEnd
   virtual void aim(double t, EndTargets& targets) = 0;
   /// The motion at time t [s] to begin with.
   virtual void aimAtStart(double t, EndTargets& targets) = 0;
+  /// Where the vessel itself is at time t [s], for sensors on it; none before its position is known.
+  virtual std::optional<BodyState> bodyAt(double t) const = 0;
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
 

@@ -10,9 +10,10 @@
 namespace tether_monitor::monitor
 {
 /**
- * Measured motion of one body: poses, and rates where something measures them.
+ * Measured motion of one body: poses, and rates and attitudes where something measures them alone.
  *
- * Between two poses: cubic Hermite in position, slerp in orientation. Beyond the last pose: constant velocity. A
+ * Between two poses: cubic Hermite in position, slerp in orientation. Beyond the last pose: constant velocity.
+ * Where attitudes come by themselves (a motion sensor), the orientation is theirs. A
  * velocity that is not measured is the slope of a straight line through the poses of the last VELOCITY_WINDOW.
  * Holds measurements of the last seconds of each kind, at most CAPACITY, SPACING apart but for the last, however
  * fast they come: those that are stamped ahead leave room for those of the past. Allocates only in the
@@ -27,18 +28,26 @@ class MotionBuffer
 
   MotionBuffer();
 
-  /// What addPose() and addTwist() would answer; nothing changes.
+  /// What addPose(), addTwist() and addAttitude() would answer; nothing changes.
   Rejection checkPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation) const;
   Rejection checkTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity) const;
+  Rejection checkAttitude(double t, const Eigen::Quaterniond& orientation,
+                          const std::optional<core::Vector3>& angular_velocity) const;
   /// Accepts a pose at time t [s]. The orientation is normalised.
   Rejection addPose(double t, const core::Vector3& position, const Eigen::Quaterniond& orientation);
   /// Accepts measured rates at time t [s], world axes.
   Rejection addTwist(double t, const core::Vector3& velocity, const core::Vector3& angular_velocity);
+  /// Accepts an attitude at time t [s] of which no position is known. It is normalised.
+  /// @param angular_velocity  world axes [rad/s]; none: from the attitudes.
+  Rejection addAttitude(double t, const Eigen::Quaterniond& orientation,
+                        const std::optional<core::Vector3>& angular_velocity = std::nullopt);
   void clear();
   /// Forgets the rates alone.
   void clearRates() { rates_.clear(); }
 
   bool hasPose() const { return !poses_.empty(); }
+  /// True once a pose or an attitude has come.
+  bool hasOrientation() const { return !poses_.empty() || !attitudes_.empty(); }
   /// True if something measures the rates at time t [s].
   bool hasRates(double t) const { return measuredRates(t).has_value(); }
   /// Age at time t of the last pose that is not later than t [s]; infinite without one.
@@ -47,10 +56,12 @@ class MotionBuffer
   bool canInterpolate(double t) const;
   /// Time from the pose before the last one that is not later than t to that one [s]; 0 if there are no two.
   double poseInterval(double t) const;
-  /// Orientation of the last pose, for rates that are measured in body axes. Identity without one.
+  /// The last orientation that came, for rates that are measured in body axes. Identity without one.
   Eigen::Quaterniond lastOrientation() const;
   /// Time of the last pose [s]; -infinity without one.
   double lastPoseTime() const;
+  /// Orientation at time t [s]; identity if none has come.
+  Eigen::Quaterniond orientationAt(double t) const;
   /// State at time t [s]; hasPose() must hold.
   BodyState at(double t) const;
   /// Position beyond the last pose at time t [s] by the poses alone, without the rates that were measured.
@@ -61,7 +72,7 @@ class MotionBuffer
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(poses_, rates_);
+    a(poses_, rates_, attitudes_);
   }
 
  private:
@@ -89,6 +100,23 @@ class MotionBuffer
       a(t, velocity, angular_velocity);
     }
   };
+  struct Attitude
+  {
+    double t;
+    Eigen::Quaterniond orientation;
+    std::optional<core::Vector3> angular_velocity;
+
+    template <class Archive>
+    void serialize(Archive& a)
+    {
+      a(t, orientation, angular_velocity);
+    }
+  };
+  struct Turning
+  {
+    Eigen::Quaterniond orientation;
+    core::Vector3 angular_velocity;
+  };
   struct Slope
   {
     core::Vector3 velocity;
@@ -96,11 +124,14 @@ class MotionBuffer
   };
 
   std::optional<Rates> measuredRates(double t) const;
+  std::optional<Turning> measuredTurning(double t) const;
+  BodyState poseAt(double t) const;
   Slope ratesAt(std::size_t pose, double t) const;
   Slope slopeAt(std::size_t pose) const;
 
   std::vector<Pose> poses_;   // in order of time, at most CAPACITY
   std::vector<Rates> rates_;  // likewise
+  std::vector<Attitude> attitudes_;
 };
 
 }  // namespace tether_monitor::monitor
