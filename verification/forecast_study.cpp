@@ -12,7 +12,7 @@ namespace tether_monitor::bench
 namespace
 {
 constexpr double SEEN = 5.0;  // [s] after which a manoeuvre can have been seen
-constexpr double SETTLED = MANOEUVRE_BEGINS - 35.0, FIRST_SCORED = 25.0;  // [s]
+constexpr double SETTLED = MANOEUVRE_BEGINS - 17.0, FIRST_SCORED = 25.0;  // [s]
 constexpr int MEMBERS = 64, THREADS = 2;
 constexpr double HORIZON = 30.0, PERIOD = 2.0;  // [s]
 

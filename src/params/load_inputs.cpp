@@ -12,10 +12,12 @@ monitor::SourceConfig loadSource(ParameterReader& in)
   source.topic = in.text("topic", "");
   if (source.topic.empty())
     in.addError("topic", " is missing");
+  source.from = in.text("from", "");
   source.frame = in.text("frame", "");
   source.latency = in.number("latency", source.latency);
   if (in.has("stddev"))
     source.stddev = in.optionalNumber("stddev");
+  source.scale = in.number("scale", source.scale);
   in.finish();
   return source;
 }

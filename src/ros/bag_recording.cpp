@@ -59,19 +59,22 @@ void addTransformsOf(const rosbag::MessageInstance& instance, bool is_static, Ba
         addTransformPose(body, transform.header.stamp, instance.getTime(), recording);
 }
 
-void addMessage(const rosbag::MessageInstance& m, const std::string& name, BagRecording& recording)
+// A topic in the bag: absolute as it is told, or below the prefix.
+bool isOn(const std::string& topic, const std::string& prefix, const InputSource& source)
 {
-  const auto source = std::find_if(recording.sources.begin(), recording.sources.end(),
-                                   [&](const InputSource& known) { return known.config.topic == name; });
-  if (source == recording.sources.end())
-    return;
+  const std::string& published = source.published();
+  return topic == (published[0] == '/' ? published : prefix + published);
+}
+
+void addMessage(const rosbag::MessageInstance& m, const InputSource& source, BagRecording& recording)
+{
   const auto shape = m.instantiate<topic_tools::ShapeShifter>();
   InputMessage message;
-  if (const std::optional<InputError> error = source->read(*shape, m.getCallerId(), message))
-    return recording.refuse(name, *error);
+  if (const std::optional<InputError> error = source.read(*shape, m.getCallerId(), message))
+    return recording.refuse(source.config.topic, *error);
   const ros::Time recorded = m.getTime();
-  recording.at(source->topic->stream)
-      .inputs.push_back({message.stamp.value_or(recorded), recorded, &*source, message});
+  recording.at(source.topic->stream)
+      .inputs.push_back({message.stamp.value_or(recorded), recorded, &source, message});
 }
 
 std::string prefixOf(const std::string& ns)
@@ -197,8 +200,9 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
       const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
       if (rooted == "/tf" || rooted == "/tf_static")
         addTransformsOf(m, rooted == "/tf_static", *this);
-      else if (rooted.compare(0, prefix.size(), prefix) == 0)
-        addMessage(m, rooted.substr(prefix.size()), *this);
+      for (const InputSource& source : sources)
+        if (isOn(rooted, prefix, source))
+          addMessage(m, source, *this);
     }
   }
   catch (const std::exception& error)

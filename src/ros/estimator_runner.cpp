@@ -84,7 +84,8 @@ void EstimatorRunner::takeMessages(const ros::Time& now)
 void EstimatorRunner::takeMessage(const ReceivedMessage& received)
 {
   const ros::Time& now = received.received;
-  if (now.isZero())
+  // Static transforms come once.
+  if (now.isZero() && !received.are_static)
     return noteRefusal(received.topic, "simulated time has not begun: nothing on /clock yet");
   if (received.unreadable)
     return noteRefusal(received.topic, *received.unreadable);

@@ -48,8 +48,15 @@ InputType type()
 template <typename Message>
 InputType type(Result (InputAdapter::*accept)(const Message&, const ros::Time&))
 {
-  return type<Message>([accept](InputAdapter& adapter, const Message& message, const ros::Time& now,
-                                const monitor::SourceConfig&) { return (adapter.*accept)(message, now); });
+  return type<Message>(
+      [accept](InputAdapter& adapter, const Message& message, const ros::Time& now,
+               const monitor::SourceConfig& source)
+      {
+        Message scaled = message;
+        if constexpr (std::is_same_v<Message, std_msgs::Float64>)
+          scaled.data *= source.scale;
+        return (adapter.*accept)(scaled, now);
+      });
 }
 
 template <typename... Messages>
@@ -168,12 +175,11 @@ std::vector<InputSource> inputSources(const monitor::InputsConfig& config)
   for (const monitor::SourceConfig& source : config.sources)
   {
     const InputTopic* topic = findInputTopic(source.topic);
-    const bool is_body = topic && topic->stream != InputStream::OTHER;
-    if (!is_body)
-      throw std::invalid_argument(
-          "inputs: '" + source.topic +
-          "' is no topic of a body (such as vessel/fix, or vehicle/pose2 for a second source)");
-    if (topic->name != source.topic)
+    const bool is_further = topic && topic->name != source.topic;
+    if (!topic || (is_further && topic->stream == InputStream::OTHER))
+      throw std::invalid_argument("inputs: '" + source.topic +
+                                  "' is no input (such as vessel/fix, or vehicle/pose2 for a second source)");
+    if (is_further)
       sources.push_back({topic, source});
   }
   return sources;

@@ -94,7 +94,7 @@ void MonitorNode::subscribeTo(const InputSource& source)
   ros::SubscribeOptions options;
   // What is large and rare must not pile up.
   const int queue = source.topic->stream == InputStream::OTHER ? OTHER_QUEUE : BODY_QUEUE;
-  options.initByFullCallbackType<const Event&>(source.config.topic, queue, receive);
+  options.initByFullCallbackType<const Event&>(source.published(), queue, receive);
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   subscribers_.push_back(nh_.subscribe(options));
 }

@@ -20,6 +20,29 @@ Eigen::Isometry3d rotation(const core::Matrix3& turn)
 {
   return Eigen::Isometry3d(turn);
 }
+// What floats is where its body is configured to be, to within its motion in the waves.
+monitor::MeasuredVector withoutHeight(const monitor::MeasuredVector& measured, const std::optional<double>& height)
+{
+  constexpr double FLOATING_STDDEV = 0.2;  // [m]
+  monitor::MeasuredVector place = measured;
+  place.setNotMeasured(2);
+  if (!height)
+    return place;
+  core::Vector3 value = place.value();
+  value.z() = *height;
+  core::Matrix3 covariance = place.covariance();
+  covariance(2, 2) = FLOATING_STDDEV * FLOATING_STDDEV;
+  monitor::MeasuredVector floating(value, covariance);
+  for (int axis = 0; axis < 2; ++axis)
+    if (place.accuracy(axis) == monitor::Accuracy::UNSPECIFIED)
+      floating.setUnspecified(axis);
+    else if (!place.isMeasured(axis))
+      floating.setNotMeasured(axis);
+  return floating;
+}
+
+// Half a turn about the line between north and east.
+const Eigen::Quaterniond NORTH_EAST_DOWN_TO_EAST_NORTH_UP(0.0, std::sqrt(0.5), std::sqrt(0.5), 0.0);
 }  // namespace
 
 SensorInputAdapter::SensorInputAdapter(monitor::TetherEstimator& estimator, const HeaderCheck& headers,
@@ -64,17 +87,8 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::NavSatFix& message
     return error;
   pose.position = measuredVector(to_world.inverse() * place, covariance, to_world, NOT_MEASURED_STDDEV)
                       .at(place - from_reference);
-  if (!has_height && config(body).height)
-  {
-    core::Vector3 floating = pose.position.value();
-    floating.z() = *config(body).height;
-    pose.position.setUnspecified(2);
-    pose.position = pose.position.at(floating);
-  }
-  else if (!has_height)
-  {
-    pose.position.setNotMeasured(2);
-  }
+  if (!has_height)
+    pose.position = withoutHeight(pose.position, config(body).height);
   return give(body, pose, source);
 }
 
@@ -92,8 +106,10 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::Imu& message, cons
   const std::string& frame = source.frame.empty() ? message.header.frame_id : source.frame;
   if (const Result error = mounts().find(config(body), frame, mount))
     return error;
-  const Eigen::Quaterniond world(datum_ ? datum_->eastNorthUpToWorld() : core::Matrix3::Identity());
-  const Eigen::Quaterniond sensor_to_world = world * sensor.normalized();
+  Eigen::Quaterniond reference(datum_ ? datum_->eastNorthUpToWorld() : core::Matrix3::Identity());
+  if (config(body).body_axes == monitor::BodyAxes::FRD)
+    reference = reference * NORTH_EAST_DOWN_TO_EAST_NORTH_UP;
+  const Eigen::Quaterniond sensor_to_world = reference * sensor.normalized();
   monitor::PoseMeasurement attitude;
   attitude.t = timeOf(message.header.stamp, source);
   attitude.orientation = sensor_to_world * Eigen::Quaterniond(mount.rotation()).conjugate();
@@ -130,7 +146,7 @@ Result SensorInputAdapter::take(Body body, const std_msgs::Float64& message, con
   const double t = timeOf(now, source);
   if (const Result error = lever(body, source.frame, t, from_reference))
     return error;
-  return giveHeight(body, t, -message.data - from_reference.z(), std::nullopt, source);
+  return giveHeight(body, t, -source.scale * message.data - from_reference.z(), std::nullopt, source);
 }
 
 Result SensorInputAdapter::take(Body body, const sensor_msgs::FluidPressure& message, const ros::Time& now,
@@ -140,7 +156,7 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::FluidPressure& mes
     return error;
   const core::Environment& sea = config().environment;
   const double weight = sea.water_density * sea.gravity;  // [Pa/m]
-  const double depth = (message.fluid_pressure - config().inputs.air_pressure) / weight;
+  const double depth = (source.scale * message.fluid_pressure - config().inputs.air_pressure) / weight;
   core::Vector3 from_reference;
   const double t = timeOf(message.header.stamp, source);
   const std::string& frame = source.frame.empty() ? message.header.frame_id : source.frame;
@@ -148,7 +164,8 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::FluidPressure& mes
     return error;
   const bool is_told = message.variance > 0.0 && std::isfinite(message.variance);
   const std::optional<double> stddev =
-      is_told ? std::optional<double>(std::sqrt(message.variance) / weight) : std::nullopt;
+      is_told ? std::optional<double>(std::abs(source.scale) * std::sqrt(message.variance) / weight)
+              : std::nullopt;
   return giveHeight(body, t, -depth - from_reference.z(), stddev, source);
 }
 

@@ -67,6 +67,8 @@ struct InputSource
   const InputTopic* topic = nullptr;
   monitor::SourceConfig config;  ///< its topic is the name.
 
+  /// Where it is published: absolute, or relative.
+  const std::string& published() const { return config.from.empty() ? config.topic : config.from; }
   /// @param publisher  name of the node that sent it.
   /// @param out        the message, if nothing is wrong with its type.
   std::optional<InputError> read(const topic_tools::ShapeShifter& message, const std::string& publisher,

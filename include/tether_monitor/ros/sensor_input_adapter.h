@@ -23,7 +23,8 @@ class SensorInputAdapter : public BodyInput
 
   /// Of the antenna; needs `datum`. Its height counts if that has an altitude.
   Result take(Body body, const sensor_msgs::NavSatFix& message, const ros::Time& now, const Source& source);
-  /// Attitude against east, north and up, and angular velocity; accelerations are not used.
+  /// Attitude against east, north and up (north, east and down for a body with axes frd), and angular velocity;
+  /// accelerations are not used.
   Result take(Body body, const sensor_msgs::Imu& message, const ros::Time& now, const Source& source);
   /// Depth of the reference point, > 0 below the surface [m].
   Result take(Body body, const std_msgs::Float64& message, const ros::Time& now, const Source& source);

@@ -29,6 +29,8 @@ std::vector<std::string> validate(const InputsConfig& config)
     check.within("latency", config.sources[i].latency, 0.0, 30.0, "s");
     if (config.sources[i].stddev)
       check.positive("stddev", *config.sources[i].stddev, "m or m/s");
+    check.check(std::isfinite(config.sources[i].scale) && config.sources[i].scale != 0.0, "scale",
+                config.sources[i].scale, "finite, and not 0");
     take(check);
   }
   if (config.datum)
@@ -42,7 +44,8 @@ std::vector<std::string> validate(const InputsConfig& config)
     take(check);
   }
   core::BoundsCheck others;
-  others.within("environment.air_pressure", config.air_pressure, 8e4, 1.2e5, "Pa");
+  if (config.air_pressure != 0.0)
+    others.within("environment.air_pressure", config.air_pressure, 8e4, 1.2e5, "Pa");
   if (config.winch_joint)
   {
     const double ratio = config.winch_joint->ratio;

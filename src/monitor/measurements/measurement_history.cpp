@@ -22,6 +22,21 @@ core::Vector3 comparable(const VehicleMeasurement& fix)
       value[axis] = std::numeric_limits<double>::infinity();
   return value;
 }
+
+// A depth and a place of one moment are two measurements.
+bool shareAnAxis(const VehicleMeasurement& a, const VehicleMeasurement& b)
+{
+  bool shares = false;
+  for (int axis = 0; axis < 3; ++axis)
+    shares = shares || (a.value.isMeasured(axis) && b.value.isMeasured(axis));
+  return shares;
+}
+
+// A depth alone may well repeat: sensors tell centimetres.
+bool isPlace(const VehicleMeasurement& fix)
+{
+  return fix.measuresPosition(0) || fix.measuresPosition(1);
+}
 }  // namespace
 
 core::Vector3 VehicleMeasurement::stddev() const
@@ -49,8 +64,7 @@ int MeasurementHistory::repeatsOf(const VehicleMeasurement& fix) const
 // Positions that scatter do not repeat to the last digit: the source has stopped and its driver goes on.
 bool MeasurementHistory::isFrozen(const VehicleMeasurement& fix) const
 {
-  return fix.kind == VehicleMeasurement::Kind::POSITION && repeatsOf(fix) >= FROZEN &&
-         fix.stddev().minCoeff() > COARSE;
+  return isPlace(fix) && repeatsOf(fix) >= FROZEN && fix.stddev().minCoeff() > COARSE;
 }
 
 Rejection MeasurementHistory::check(const VehicleMeasurement& fix, double earliest) const
@@ -58,7 +72,7 @@ Rejection MeasurementHistory::check(const VehicleMeasurement& fix, double earlie
   if (!std::isfinite(fix.t) || !fix.value.isValid())
     return Rejection::NOT_FINITE;
   const auto is_same = [&](const VehicleMeasurement& other)
-  { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind; };
+  { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind && shareAnAxis(other, fix); };
   if (std::any_of(fixes_.begin(), fixes_.end(), is_same))
     return Rejection::REPEATED;
   if (fix.t <= earliest)
@@ -71,7 +85,7 @@ Rejection MeasurementHistory::add(const VehicleMeasurement& fix, double earliest
   const Rejection rejection = check(fix, earliest);
   if (rejection != Rejection::NONE)
     return rejection;
-  if (fix.kind == VehicleMeasurement::Kind::POSITION)
+  if (isPlace(fix))
   {
     repeats_ = repeatsOf(fix);
     last_value_ = comparable(fix);

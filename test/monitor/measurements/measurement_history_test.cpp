@@ -40,6 +40,23 @@ TEST(MeasurementHistory, ChecksWithoutATrace)
   }
 }
 
+TEST(MeasurementHistory, ADepthAndAPlaceOfOneMomentAreTwoMeasurements)
+{
+  MeasurementHistory history;
+  VehicleMeasurement place = fixAt(1.0), depth = fixAt(1.0);
+  place.value.setNotMeasured(2);
+  depth.value.setNotMeasured(0);
+  depth.value.setNotMeasured(1);
+  EXPECT_EQ(history.add(place, 0.0), Rejection::NONE);
+  EXPECT_EQ(history.add(depth, 0.0), Rejection::NONE);
+  EXPECT_EQ(history.add(depth, 0.0), Rejection::REPEATED);
+  for (const double t : {2.0, 3.0, 4.0, 5.0})
+  {
+    depth.t = t;
+    EXPECT_EQ(history.add(depth, 0.0), Rejection::NONE) << "a depth to the centimetre is not frozen";
+  }
+}
+
 TEST(MeasurementHistory, WhatWasNotMeasuredHasALargeVariance)
 {
   VehicleMeasurement height = fixAt(1.0);

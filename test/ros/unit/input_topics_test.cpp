@@ -32,6 +32,13 @@ TEST(InputTopics, HaveNamesOfTheirOwn)
   EXPECT_EQ(findInputTopic("vessel/pos"), nullptr);
 }
 
+monitor::SourceConfig sourceOf(const std::string& topic)
+{
+  monitor::SourceConfig source;
+  source.topic = topic;
+  return source;
+}
+
 TEST(InputTopics, NumberedOnesAreFurtherSources)
 {
   EXPECT_EQ(findInputTopic("vehicle/pose3"), findInputTopic("vehicle/pose"));
@@ -39,17 +46,20 @@ TEST(InputTopics, NumberedOnesAreFurtherSources)
   EXPECT_EQ(findInputTopic("vehicle/pose22"), nullptr);
   monitor::InputsConfig config;
   EXPECT_EQ(inputSources(config).size(), inputTopics().size());
-  config.sources = {{"vessel/fix", "antenna", 0.0, 2.0}, {"vehicle/pose2", "", 0.8, 1.5}};
+  config.sources = {sourceOf("vessel/fix"), sourceOf("vehicle/pose2")};
+  config.sources[0].frame = "antenna";
+  config.sources[1].from = "/usbl/pose";
   const std::vector<InputSource> sources = inputSources(config);
   ASSERT_EQ(sources.size(), inputTopics().size() + 1);
   EXPECT_EQ(sources.back().config.topic, "vehicle/pose2");
   EXPECT_EQ(sources.back().topic, findInputTopic("vehicle/pose"));
+  EXPECT_EQ(sources.back().published(), "/usbl/pose");
   const auto fix = std::find_if(sources.begin(), sources.end(),
                                 [](const InputSource& source) { return source.config.topic == "vessel/fix"; });
   EXPECT_EQ(fix->config.frame, "antenna");
-  for (const char* wrong : {"vehicle/pos", "tension", "payout2"})
+  for (const char* wrong : {"vehicle/pos", "tension2", "payout2"})
   {
-    config.sources = {{wrong, "", 0.0, std::nullopt}};
+    config.sources = {sourceOf(wrong)};
     EXPECT_THROW(inputSources(config), std::invalid_argument) << wrong;
   }
 }

@@ -10,9 +10,11 @@ namespace tether_monitor::monitor
 struct SourceConfig
 {
   std::string topic;             ///< relative; with a number, vehicle/pose2, one more source of that kind.
+  std::string from;              ///< topic on which it is published; empty: the same.
   std::string frame;             ///< of the sensor; empty: that of the header.
   double latency = 0.0;          ///< how much older a measurement is than its stamp [s], 0..30.
   std::optional<double> stddev;  ///< without covariance in the message [m or m/s], > 0; none: that of the body.
+  double scale = 1.0;            ///< of a plain number or a pressure, not 0: -1 for a height, 1000 for kPa.
 };
 
 /// Where the world frame is on the globe.
@@ -38,7 +40,7 @@ struct InputsConfig
   std::vector<SourceConfig> sources;
   std::optional<DatumConfig> datum;
   std::optional<WinchJointConfig> winch_joint;
-  double air_pressure = 101325.0;  ///< at the surface [Pa], 8e4..1.2e5.
+  double air_pressure = 101325.0;  ///< at the surface [Pa], 8e4..1.2e5; 0: sensors tell the pressure over it.
 
   /// That of a topic; the defaults if it has none.
   SourceConfig source(const std::string& topic) const;
