@@ -66,6 +66,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/sensor_mounts.cpp
   src/ros/simulator_bridge.cpp
   src/ros/simulator_node.cpp
+  src/ros/standard_outputs.cpp
   src/ros/state_keeper.cpp
   src/ros/transform_input.cpp
   src/ros/transform_pose_reader.cpp)

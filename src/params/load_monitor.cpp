@@ -75,6 +75,11 @@ void loadMonitor(ParameterReader in, monitor::Config& config)
   config.runtime.bridge.vehicle = bridge.text("vehicle", "");
   config.runtime.bridge.vehicle_body = bridge.text("vehicle_body", "");
   bridge.finish();
+  ParameterReader outputs = in.child("outputs");
+  config.runtime.outputs.path = outputs.boolean("path", config.runtime.outputs.path);
+  config.runtime.outputs.vessel_pose = outputs.boolean("vessel_pose", config.runtime.outputs.vessel_pose);
+  config.runtime.outputs.tf = outputs.boolean("tf", config.runtime.outputs.tf);
+  outputs.finish();
   ParameterReader alarms = in.child("alarms");
   for (const monitor::AlarmQuantity& quantity : monitor::alarmQuantities())
     loadAlarm(alarms.child(quantity.name), monitor::alarmConfig(config, quantity.name));

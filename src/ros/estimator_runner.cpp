@@ -264,6 +264,11 @@ void EstimatorRunner::describe(const ros::Time& now, double step_time, CycleOutp
   else if (estimator_.vehicle().track().hasPose())
     output.attitude = estimator_.vehicle().track().lastOrientation();
 
+  output.vessel.reset();
+  if (config().runtime.outputs.vessel_pose)
+    output.vessel = estimator_.vessel().bodyAt(e.time);
+  output.vessel_stddev = estimator_.vessel().positionStddev(e.time);
+
   // While something is touched, and once when nothing is any more.
   output.contacts.reset();
   ContactArray contacts = contactsMessage(e, estimator_.simulation().model.environment().obstacles());

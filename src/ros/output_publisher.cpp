@@ -19,7 +19,8 @@ OutputPublisher::OutputPublisher(const ros::NodeHandle& nh, const ros::NodeHandl
     make_markers_(std::move(make_markers)),
     nh_(private_nh),
     alarms_(nh_),
-    bridge_(nh, config.runtime.bridge)
+    bridge_(nh, config.runtime.bridge),
+    standard_(nh, private_nh, config)
 {
   over_tension_ = nh_.advertise<std_msgs::Bool>("over_tension", OUTPUT_QUEUE);
   state_ = nh_.advertise<TetherState>("state", OUTPUT_QUEUE);
@@ -66,6 +67,7 @@ void OutputPublisher::publishNumbers(const CycleOutput& output)
   vessel_force_.publish(wrenchMessage(header, e, e.stations.ends.vessel, e.stations.ends.vessel_moment));
   vehicle_force_.publish(wrenchMessage(header, e, e.stations.ends.vehicle, e.stations.ends.vehicle_moment));
   bridge_.publish(e, output.attitude);
+  standard_.publish(output);
   if (e.has_vehicle)
     vehicle_.publish(vehicleMessage(header, config_.vehicle, e));
   if (output.parameters)

@@ -1,6 +1,9 @@
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/Wrench.h>
 #include <geometry_msgs/WrenchStamped.h>
+#include <nav_msgs/Path.h>
 #include <tether_monitor/WrenchWithCovarianceStamped.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 
@@ -43,4 +46,25 @@ TEST(Bridge, ASimulatorIsGivenTheForcesAndZerosWithoutAnEstimate)
   EXPECT_EQ(sizeOf(vessel.value.force), 0.0);
   EXPECT_EQ(sizeOf(body.value.force), 0.0);
   EXPECT_TRUE(std::isnan(own.value.wrench.force.x));
+}
+
+TEST(Bridge, TheTetherComesInStandardMessagesToo)
+{
+  LastMessage<nav_msgs::Path> path("/rov1/tether_monitor/path");
+  LastMessage<geometry_msgs::PoseWithCovarianceStamped> vessel("/rov1/tether_monitor/vessel/estimate");
+  LastMessage<tf2_msgs::TFMessage> frames("/tf");
+  RosTestBench scenario;
+  scenario.run(2.0);
+  ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
+  ASSERT_TRUE(scenario.waitFor([&] { return path.count > 10 && vessel.count > 10 && frames.count > 10; }, 2.0));
+  const std::vector<geometry_msgs::Point>& shape = scenario.state.position;
+  ASSERT_EQ(path.value.poses.size(), shape.size());
+  EXPECT_EQ(path.value.header.frame_id, "map");
+  EXPECT_NEAR(path.value.poses.back().pose.position.z, shape.back().z, 0.1);
+  EXPECT_EQ(vessel.value.header.frame_id, "map");
+  EXPECT_NEAR(vessel.value.pose.pose.position.z, shape.front().z, 1.0) << "its reference point, not the end";
+  ASSERT_EQ(frames.value.transforms.size(), 2u);
+  EXPECT_EQ(frames.value.transforms[0].child_frame_id, "rov1/tether_monitor/vessel_end");
+  EXPECT_EQ(frames.value.transforms[1].child_frame_id, "rov1/tether_monitor/vehicle_end");
+  EXPECT_NEAR(frames.value.transforms[1].transform.translation.x, shape.back().x, 0.1);
 }

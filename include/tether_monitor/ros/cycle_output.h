@@ -22,10 +22,12 @@ struct CycleOutput
   double step_time = 0.0;  ///< computing time of the cycle [s].
   bool over_tension = true;
   monitor::TetherEstimate estimate;
-  std::shared_ptr<const monitor::AlarmSet> alarms;  ///< null: nothing new.
-  std::optional<ContactArray> contacts;             ///< none: nothing is touched, and that was said.
-  std::optional<ParameterEstimate> parameters;      ///< once a second.
-  std::optional<Eigen::Quaterniond> attitude;       ///< of the vehicle, body to world.
+  std::shared_ptr<const monitor::AlarmSet> alarms;      ///< null: nothing new.
+  std::optional<ContactArray> contacts;                 ///< none: nothing is touched, and that was said.
+  std::optional<ParameterEstimate> parameters;          ///< once a second.
+  std::optional<Eigen::Quaterniond> attitude;           ///< of the vehicle, body to world.
+  std::optional<monitor::BodyState> vessel;             ///< where it is; none: not known.
+  core::Vector3 vessel_stddev = core::Vector3::Zero();  ///< of its position [m]; zero: not known.
   ros::WallTime received;  ///< when the newest message came that it uses; zero: none came.
 };
 

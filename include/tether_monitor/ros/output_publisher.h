@@ -10,13 +10,14 @@
 #include "tether_monitor/ros/alarm_publisher.h"
 #include "tether_monitor/ros/cycle_output.h"
 #include "tether_monitor/ros/simulator_bridge.h"
+#include "tether_monitor/ros/standard_outputs.h"
 
 namespace tether_monitor
 {
 /**
  * **Publishes** (private): over_tension, state, vessel_end/force, vehicle_end/force, vehicle_end/wrench_body,
- * vehicle/estimate, contacts, parameters, alarms, events, markers; and the simulators' topics, see
- * SimulatorBridge.
+ * vehicle/estimate, contacts, parameters, alarms, events, markers; the simulators' topics, see SimulatorBridge;
+ * and StandardOutputs.
  */
 class OutputPublisher
 {
@@ -49,6 +50,7 @@ class OutputPublisher
       parameters_, markers_;
   AlarmPublisher alarms_;
   SimulatorBridge bridge_;
+  StandardOutputs standard_;
   TetherState state_message_;
 };
 

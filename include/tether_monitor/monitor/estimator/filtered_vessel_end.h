@@ -21,6 +21,10 @@ class FilteredVesselEnd final : public VesselEnd
   /// A steady state has no waves: it begins on the vessel's track and fades into its motion.
   void aimAtStart(double t, EndTargets& targets) override;
   std::optional<BodyState> bodyAt(double t) const override;
+  core::Vector3 positionStddev(double t) const override
+  {
+    return filter_.hasPosition() ? filter_.at(t).position_stddev : core::Vector3(core::Vector3::Zero());
+  }
   const MotionBuffer& track() const override { return track_; }
   const MotionPlausibility* plausibility() const override { return &plausibility_; }
   long outliers() const override { return filter_.outliers(); }

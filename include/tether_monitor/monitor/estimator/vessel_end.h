@@ -36,6 +36,8 @@ class VesselEnd
   virtual void aimAtStart(double t, EndTargets& targets) = 0;
   /// Where the vessel itself is at time t [s], for sensors on it; none before its position is known.
   virtual std::optional<BodyState> bodyAt(double t) const = 0;
+  /// Standard deviations of its position at time t [m]; zero: not known.
+  virtual core::Vector3 positionStddev(double /*t*/) const { return core::Vector3::Zero(); }
   /// The poses and rates that came, in order.
   virtual const MotionBuffer& track() const = 0;
 
