@@ -15,8 +15,8 @@ if(NOT GEOGRAPHICLIB_INCLUDE_DIR OR NOT GEOGRAPHICLIB_LIBRARY)
 endif()
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag rosbag_storage roscpp rosgraph_msgs
-  sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros topic_tools visualization_msgs)
+  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag rosbag_storage
+  roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
 add_message_files(FILES
   AcousticFix.msg Alarm.msg AlarmArray.msg AlarmEvent.msg Contact.msg ContactArray.msg CurrentProfile.msg Obstacle.msg
@@ -82,7 +82,12 @@ target_link_libraries(tether_monitor_node PRIVATE tether_monitor_ros tether_moni
 add_executable(tether_sim_node src/apps/tether_sim_node.cpp)
 target_link_libraries(tether_sim_node PRIVATE tether_monitor_ros tether_monitor_options)
 
+add_library(tether_monitor_nodelet MODULE src/apps/tether_monitor_nodelet.cpp)
+target_link_libraries(tether_monitor_nodelet PRIVATE tether_monitor_ros tether_monitor_options)
+
 install(TARGETS tether_monitor_node tether_sim_node RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS tether_monitor_nodelet LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES test/data/tank_run.bag test/data/tank_run.md
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
 catkin_install_python(PROGRAMS scripts/after_node.py scripts/demo_monitor.py scripts/station_keeper.py

@@ -19,6 +19,8 @@ foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jum
   add_dependencies(${scenario}_test tether_monitor_node)
 endforeach()
 
+add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)
+
 foreach(script bad_parameters closed_loops sim_scenarios stacks tools)
   add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_sim_node tether_replay tether_steady)
 endforeach()
