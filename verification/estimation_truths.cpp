@@ -266,6 +266,8 @@ Truth makeTruth(const UncertainCase& uncertain, const TruthDraw& draw)
       if (!stepper.advance(model, ends, t, state).converged())
         throw std::runtime_error("case " + c.name + " has no solution at " + std::to_string(t) + " s");
     }
+    if (uncertain.payout)
+      cable = core::DeployedCable(model, state.deployment);
     const core::EndForces forces = core::endForces(cable, state);
     truth.vessel.push_back(vesselAt(c, t));
     truth.vehicle.push_back(monitor::BodyState::ofNode(state, state.q.size() - 1, state.vehicle, Vector3::Zero()));

@@ -6,6 +6,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 
 #include "support/config_trees.h"
 #include "tether_monitor/monitor/config/suspicious_values.h"
@@ -244,6 +247,39 @@ TEST(LoadConfig, EveryShippedConfigurationLoads)
     }
   }
   EXPECT_GE(files, 6);
+}
+
+// Every key that a loader asks for is documented, and in the template.
+TEST(LoadConfig, EveryKeyStandsInTheDocumentsAndTheTemplate)
+{
+  const auto textOf = [](const std::filesystem::path& path)
+  {
+    std::ifstream in(path);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string root = PROJECT_DIR;
+  const std::string documents = textOf(root + "/doc/parameters.md") + textOf(root + "/doc/alarms.md");
+  const std::string by_default = textOf(root + "/config/template.yaml");
+  const std::regex asked(
+      R"re((?:number|optionalNumber|integer|boolean|text|vector2?|numbers|list|child|optional)\("([a-z_]+)")re");
+  std::set<std::string> keys;
+  for (const auto& entry : std::filesystem::directory_iterator(root + "/src/params"))
+  {
+    const std::string name = entry.path().filename();
+    if (name.find("load_") != 0 || name == "load_simulation.cpp")
+      continue;
+    const std::string source = textOf(entry.path());
+    for (std::sregex_iterator at(source.begin(), source.end(), asked), end; at != end; ++at)
+      keys.insert((*at)[1]);
+  }
+  EXPECT_GT(keys.size(), 100u);
+  for (const std::string& key : keys)
+  {
+    const std::regex whole("\\b" + key + "\\b");
+    EXPECT_TRUE(std::regex_search(documents, whole)) << key << " is not in doc/parameters.md or doc/alarms.md";
+    EXPECT_TRUE(std::regex_search(by_default, std::regex("\\b" + key + ":")))
+        << key << " is not in config/template.yaml";
+  }
 }
 
 TEST(LoadSimulation, FaultsNameTheKey)

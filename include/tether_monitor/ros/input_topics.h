@@ -40,9 +40,9 @@ struct InputType
 /**
  * A topic that the monitor subscribes to, of whichever of its types is published there.
  *
- * The one table of inputs: node and replay of bags follow it, tests compare README.md and launch/sim.launch with
- * it. A new input is an entry here, a take() of MotionInputAdapter or SensorInputAdapter or an accept() of
- * InputAdapter, and a test: CONTRIBUTING.md has the recipe.
+ * The one table of inputs: node and replay of bags follow it, tests compare doc/interfaces.md and
+ * launch/sim.launch with it. A new input is an entry here, a take() of MotionInputAdapter or SensorInputAdapter or
+ * an accept() of InputAdapter, and a test: CONTRIBUTING.md has the recipe.
  */
 struct InputTopic
 {

@@ -100,14 +100,14 @@ TEST(InputTopics, EveryBodyHasPoses)
                             [&](const InputTopic& topic) { return topic.stream == body && topic.is_pose; }));
 }
 
-TEST(InputTopics, StandInTheReadmeWithTheirTypes)
+TEST(InputTopics, StandInTheDocumentsWithTheirTypes)
 {
-  const std::string readme = textOf("README.md");
+  const std::string documents = textOf("doc/interfaces.md");
   for (const InputTopic& topic : inputTopics())
   {
-    EXPECT_NE(readme.find("`" + topic.name + "`"), std::string::npos) << topic.name;
+    EXPECT_NE(documents.find("`" + topic.name + "`"), std::string::npos) << topic.name;
     for (const InputType& type : topic.types)
-      EXPECT_NE(readme.find(type.name.substr(type.name.find('/') + 1)), std::string::npos) << type.name;
+      EXPECT_NE(documents.find(type.name.substr(type.name.find('/') + 1)), std::string::npos) << type.name;
   }
 }
 
