@@ -14,8 +14,8 @@ namespace tether_monitor::core
 /**
  * Bytes of a state, and back, bit for bit, on machines of the same byte order.
  *
- * A class that can be archived has one member  template <class Archive> void serialize(Archive& a) { a(x, y, ...);
- * } that serves both ways. Numbers, enumerations, strings, Eigen vectors and quaternions, std::vector, std::array,
+ * A class that can be archived has one member `template <class Archive> void serialize(Archive& a) { a(x, y); }`,
+ * which serves both ways. Numbers, enumerations, strings, Eigen vectors and quaternions, std::vector, std::array,
  * std::optional and such classes can be listed.
  */
 class BinaryWriter

@@ -27,7 +27,7 @@ struct CableProperties
   double drag_tangential = 0.0;      ///< Ct [-], >= 0.
   double added_mass_normal = 1.0;    ///< Can [-], times the displaced mass, >= 0; default 1.
   double added_mass_tangential = 0.0;    ///< Cat [-], likewise, for motion along the tether, >= 0; default 0.
-  double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 ..
+  double hydrostatic_compression = 0.0;  ///< loss of diameter per metre of depth, over the diameter [1/m], 0 to
                                          ///< 1e-3; meant for losses up to a half.
   double permanent_elongation = 0.0;  ///< [m/m], >= 0: the tether is longer by this without load. s, the mass and
                                       ///< the section stay those of before.

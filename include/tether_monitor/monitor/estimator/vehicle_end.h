@@ -99,7 +99,7 @@ class VehicleEnd
 
   /// What makes its measurements unbelievable; null: nothing looks.
   virtual const MotionPlausibility* plausibility() const { return nullptr; }
-  /// What only something far beyond its told size explains, as it is now. @param note  called for each.
+  /// What only something far beyond its told size explains, as it is now: the argument is called for each.
   virtual void reportImprobable(const std::function<void(Subject, Implausibility)>& /*note*/) const {}
   /// Fills in what a forecast begins with: members (none: that of the simulation), thrust, unknown force.
   virtual void prepareForecast(ForecastStart& /*start*/) const {}
