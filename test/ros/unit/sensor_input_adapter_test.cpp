@@ -149,6 +149,39 @@ TEST_F(SensorInputAdapterTest, AnImuThatSitsTurnedGivesTheAttitudeOfTheBody)
   EXPECT_TRUE(says(adapter.accept(Body::VESSEL, imu, now), "no orientation"));
 }
 
+TEST_F(SensorInputAdapterTest, UnderNorthEastDownAnImuIsTurnedToo)
+{
+  monitor::Config config = monitor::coarseConfig();
+  config.vehicle.body_axes = monitor::BodyAxes::FRD;
+  monitor::TetherEstimator other(config);
+  InputAdapter into(other, transforms);
+  into.setTimeBase(TimeOrigin(ros::Time(100.0)));
+  // Heads 30 degrees east of north, rolled by 10 degrees to starboard.
+  const double heading = M_PI / 6.0, roll = M_PI / 18.0;
+  sensor_msgs::Imu imu;
+  imu.header = header("");
+  imu.orientation = quaternionMessage(Eigen::Quaterniond(Eigen::AngleAxisd(heading, Vector3::UnitZ()) *
+                                                         Eigen::AngleAxisd(roll, Vector3::UnitX())));
+  imu.angular_velocity.z = 0.1;  // to starboard
+  ASSERT_EQ(into.accept(Body::VEHICLE, imu, now), std::nullopt);
+  const Eigen::Quaterniond attitude = other.vehicle().track().orientationAt(1.0);
+  EXPECT_LT((attitude * Vector3::UnitX() - Vector3(std::sin(heading), std::cos(heading), 0.0)).norm(), 1e-9);
+  EXPECT_NEAR((attitude * Vector3::UnitY()).z(), std::sin(roll), 1e-9) << "its port side is up";
+}
+
+TEST_F(SensorInputAdapterTest, APlainNumberMayHaveAnotherScale)
+{
+  monitor::SourceConfig height;
+  height.scale = -1.0;
+  std_msgs::Float64 up;
+  up.data = -12.0;
+  ASSERT_EQ(adapter.accept(Body::VEHICLE, up, now, height), std::nullopt);
+  geometry_msgs::PointStamped point;
+  point.header = header("map");
+  ASSERT_EQ(adapter.accept(Body::VEHICLE, point, now), std::nullopt);
+  EXPECT_NEAR(estimator.vehicle().track().at(1.0).position.z(), -12.0, 1e-12);
+}
+
 TEST_F(SensorInputAdapterTest, ADepthCompletesAPlaceAndCountsMore)
 {
   std_msgs::Float64 depth;
