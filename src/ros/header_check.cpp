@@ -83,6 +83,9 @@ std::optional<InputError> HeaderCheck::transformToWorld(const std_msgs::Header& 
   {
     if (isOnVessel(header, transform))
       return std::nullopt;
+    if (mounts_.isOn(config_.vessel, header.frame_id))
+      return "frame '" + header.frame_id +
+             "' is on the vessel, and where that is, height included, is not known yet";
     return "frame '" + header.frame_id + "' cannot be transformed to '" + world + "': " + error.what();
   }
 }

@@ -144,6 +144,12 @@ TEST(Navigation, ALoadCellTellsTheTensionOfTheMomentAndTheBandKnows)
   EXPECT_LT(r.vessel.nees, 2.0);
   EXPECT_LT(r.vehicle.band, 0.25 * r.vehicle.mean);
   EXPECT_EQ(r.limit_alarms, 0);
+  // Cycles without a reading of their own are not worse: no band that flickers.
+  options.draws = 2;
+  options.rate = 20.0;
+  const StudyResult faster = studyPooled(uncertainCase("C"), options);
+  EXPECT_LT(faster.vessel.band, 0.045 * faster.vessel.mean);
+  EXPECT_GT(faster.ok, 0.95);
 }
 
 TEST(Navigation, TheBandKnowsHowWellTheVesselIsSeen)

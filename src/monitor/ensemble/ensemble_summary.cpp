@@ -18,7 +18,7 @@ Distribution distributionOf(Eigen::RowVectorXd& values, double own)
   std::sort(values.data(), values.data() + values.size());
   d.median = quantile(values, 0.5);
   const double wider = NORMAL_P95 * own;
-  d.p05 = d.median - std::hypot(d.median - quantile(values, 0.05), wider);
+  d.p05 = std::max(d.median - std::hypot(d.median - quantile(values, 0.05), wider), 0.0);
   d.p95 = d.median + std::hypot(quantile(values, 0.95) - d.median, wider);
   return d;
 }
@@ -38,9 +38,9 @@ void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors
   const int n = members.size();
   for (int i = 0; i < n; ++i)
     core::computeStations(members.cable(i), members.state(i), profiles_[i]);
-  values_ = members.motion().vessel_tension + own.vessel_correction;
+  values_ = (members.motion().vessel_tension + own.vessel_correction).cwiseMax(0.0);
   vessel_ = distributionOf(values_, own.vessel);
-  values_ = members.motion().vehicle_tension + own.vehicle_correction;
+  values_ = (members.motion().vehicle_tension + own.vehicle_correction).cwiseMax(0.0);
   vehicle_ = distributionOf(values_, own.vehicle);
   const std::size_t stations = tension_.size();
   const auto shareOf = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(stations - 1); };

@@ -225,7 +225,8 @@ void TetherEnsemble::summarize(const core::Vector3& vessel_stddev)
 void TetherEnsemble::followLoadCell(double common)
 {
   const BelievedReading& reading = filter_.believedReading();
-  const double likeness = std::exp(-std::max(members_.state(0).time - reading.t, 0.0) / LIKENESS_TIME);
+  const double age = std::max(members_.state(0).time - reading.t, 0.0) / LIKENESS_TIME;
+  const double likeness = std::exp(-0.5 * age * age);
   if (likeness < LEAST_LIKENESS)
     return;
   const double of_vessel = own_.vessel * own_.vessel;
