@@ -59,11 +59,17 @@ void addTransformsOf(const rosbag::MessageInstance& instance, bool is_static, Ba
         addTransformPose(body, transform.header.stamp, instance.getTime(), recording);
 }
 
-// A topic in the bag: absolute as it is told, or below the prefix.
-bool isOn(const std::string& topic, const std::string& prefix, const InputSource& source)
+// Sources by their topics in the bag: absolute as they are told, or below the prefix.
+std::multimap<std::string, const InputSource*> sourcesByTopic(const std::vector<InputSource>& sources,
+                                                              const std::string& prefix)
 {
-  const std::string& published = source.published();
-  return topic == (published[0] == '/' ? published : prefix + published);
+  std::multimap<std::string, const InputSource*> found;
+  for (const InputSource& source : sources)
+  {
+    const std::string& published = source.published();
+    found.emplace(published[0] == '/' ? published : prefix + published, &source);
+  }
+  return found;
 }
 
 void addMessage(const rosbag::MessageInstance& m, const InputSource& source, BagRecording& recording)
@@ -191,6 +197,7 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
   rosbag::Bag bag;
   openBag(path, bag);
   const std::string prefix = prefixOf(ns);
+  const auto by_topic = sourcesByTopic(sources, prefix);
   rosbag::View all(bag);
   try
   {
@@ -200,9 +207,9 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
       const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
       if (rooted == "/tf" || rooted == "/tf_static")
         addTransformsOf(m, rooted == "/tf_static", *this);
-      for (const InputSource& source : sources)
-        if (isOn(rooted, prefix, source))
-          addMessage(m, source, *this);
+      const auto [first, last] = by_topic.equal_range(rooted);
+      for (auto source = first; source != last; ++source)
+        addMessage(m, *source->second, *this);
     }
   }
   catch (const std::exception& error)

@@ -266,8 +266,10 @@ void EstimatorRunner::describe(const ros::Time& now, double step_time, CycleOutp
 
   output.vessel.reset();
   if (config().runtime.outputs.vessel_pose)
+  {
     output.vessel = estimator_.vessel().bodyAt(e.time);
-  output.vessel_stddev = estimator_.vessel().positionStddev(e.time);
+    output.vessel_stddev = estimator_.vessel().positionStddev(e.time);
+  }
 
   // While something is touched, and once when nothing is any more.
   output.contacts.reset();

@@ -40,11 +40,6 @@ bool isUnfilled(const geometry_msgs::TwistWithCovariance& twist)
   const auto isZero = [](const geometry_msgs::Vector3& v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; };
   return isZero(twist.twist.linear) && isZero(twist.twist.angular) && block(twist.covariance, 0).isZero(0.0);
 }
-
-Eigen::Isometry3d rotation(const core::Matrix3& turn)
-{
-  return Eigen::Isometry3d(turn);
-}
 }  // namespace
 
 Result MotionInputAdapter::take(Body body, const geometry_msgs::PoseStamped& message, const ros::Time& now,
@@ -65,24 +60,35 @@ Result MotionInputAdapter::take(Body body, const geometry_msgs::PointStamped& me
   return take(body, pose, now, source);
 }
 
+Result MotionInputAdapter::readPose(Body body, const std_msgs::Header& header,
+                                    const geometry_msgs::PoseWithCovariance& message, const ros::Time& now,
+                                    const Source& source, Eigen::Isometry3d& to_world,
+                                    monitor::PoseMeasurement& pose) const
+{
+  if (const Result error = headers().check(header, now, to_world))
+    return error;
+  pose.t = timeOf(header.stamp, source);
+  pose.position =
+      measuredVector(vector(message.pose.position), block(message.covariance, 0), to_world, NOT_MEASURED_STDDEV);
+  if (const Result error = outOfBounds(Field::POSITION, pose.position))
+    return error;
+  pose.orientation = orientationOf(message.pose.orientation, to_world, config(body));
+  const monitor::MeasuredVector angles =
+      measuredVector(core::Vector3::Zero(), block(message.covariance, 3), to_world, NOT_MEASURED_ANGLE);
+  if (!angles.isComplete())
+    pose.orientation.reset();
+  return std::nullopt;
+}
+
 Result MotionInputAdapter::take(Body body, const geometry_msgs::PoseWithCovarianceStamped& message,
                                 const ros::Time& now, const Source& source)
 {
   Eigen::Isometry3d to_world, mount;
-  if (const Result error = headers().check(message.header, now, to_world))
+  monitor::PoseMeasurement pose;
+  if (const Result error = readPose(body, message.header, message.pose, now, source, to_world, pose))
     return error;
   if (const Result error = mounts().find(config(body), source.frame, mount))
     return error;
-  monitor::PoseMeasurement pose;
-  pose.t = timeOf(message.header.stamp, source);
-  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0), to_world,
-                                 NOT_MEASURED_STDDEV);
-  if (const Result error = outOfBounds(Field::POSITION, pose.position))
-    return error;
-  pose.orientation = orientationOf(message.pose.pose.orientation, to_world, config(body));
-  if (!measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE)
-           .isComplete())
-    pose.orientation.reset();
   if (source.frame.empty())
     return give(body, pose, source);
 
@@ -146,8 +152,7 @@ Result MotionInputAdapter::take(Body body, const geometry_msgs::TwistWithCovaria
                                 const ros::Time& now, const Source& source)
 {
   std_msgs::Header header = message.header;
-  if (!source.frame.empty())
-    header.frame_id = source.frame;
+  header.frame_id = sensorFrame(message.header, source);
   if (const Result error = headers().checkStamp(header, now))
     return error;
   monitor::TwistMeasurement rates;
@@ -157,7 +162,7 @@ Result MotionInputAdapter::take(Body body, const geometry_msgs::TwistWithCovaria
     return error;
   const core::Matrix3 covariance = block(message.twist.covariance, 0);
   rates.velocity =
-      measuredVector(vector(message.twist.twist.linear), covariance, rotation(axes.to_world), NOT_MEASURED_STDDEV);
+      measuredVector(vector(message.twist.twist.linear), covariance, isometry(axes.to_world), NOT_MEASURED_STDDEV);
   rates.angular_velocity = axes.to_world * vector(message.twist.twist.angular);
   if (const Result error = outOfBounds(rates))
     return error;
@@ -177,19 +182,9 @@ Result MotionInputAdapter::take(Body body, const nav_msgs::Odometry& message, co
 {
   const auto& twist = message.twist.twist;
   Eigen::Isometry3d to_world;
-  if (const Result error = headers().check(message.header, now, to_world))
-    return error;
   monitor::PoseMeasurement pose;
-  pose.t = timeOf(message.header.stamp, source);
-  pose.position = measuredVector(vector(message.pose.pose.position), block(message.pose.covariance, 0), to_world,
-                                 NOT_MEASURED_STDDEV);
-  if (const Result error = outOfBounds(Field::POSITION, pose.position))
+  if (const Result error = readPose(body, message.header, message.pose, now, source, to_world, pose))
     return error;
-  pose.orientation = orientationOf(message.pose.pose.orientation, to_world, config(body));
-  const monitor::MeasuredVector angles =
-      measuredVector(core::Vector3::Zero(), block(message.pose.covariance, 3), to_world, NOT_MEASURED_ANGLE);
-  if (!angles.isComplete())
-    pose.orientation.reset();
 
   const Eigen::Quaterniond orientation = pose.orientation.value_or(track(body).lastOrientation());
   const core::Matrix3 body_to_world = config(body).twist_frame == monitor::TwistFrame::WORLD
@@ -198,7 +193,7 @@ Result MotionInputAdapter::take(Body body, const nav_msgs::Odometry& message, co
   monitor::TwistMeasurement rates;
   rates.t = pose.t;
   rates.velocity = measuredVector(vector(twist.linear), block(message.twist.covariance, 0),
-                                  rotation(body_to_world), NOT_MEASURED_STDDEV);
+                                  isometry(body_to_world), NOT_MEASURED_STDDEV);
   rates.angular_velocity = body_to_world * vector(twist.angular);
   const bool knows_axes = pose.orientation || track(body).hasOrientation();
   if (rates.velocity.isEmpty() || block(message.twist.covariance, 0).hasNaN() || isUnfilled(message.twist) ||

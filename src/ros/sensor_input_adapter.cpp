@@ -16,10 +16,6 @@ bool isAbsent(const boost::array<double, 9>& covariance)
   return covariance[0] == -1.0;
 }
 
-Eigen::Isometry3d rotation(const core::Matrix3& turn)
-{
-  return Eigen::Isometry3d(turn);
-}
 // What floats is where its body is configured to be, to within its motion in the waves.
 monitor::MeasuredVector withoutHeight(const monitor::MeasuredVector& measured, const std::optional<double>& height)
 {
@@ -80,12 +76,11 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::NavSatFix& message
       message.position_covariance_type == sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN
           ? core::Matrix3(core::Matrix3::Zero())
           : block(message.position_covariance);
-  const Eigen::Isometry3d to_world = rotation(datum_->eastNorthUpToWorld());
-  const std::string& antenna = source.frame.empty() ? message.header.frame_id : source.frame;
   core::Vector3 from_reference;
-  if (const Result error = lever(body, antenna, pose.t, from_reference))
+  if (const Result error = lever(body, sensorFrame(message.header, source), pose.t, from_reference))
     return error;
-  pose.position = measuredVector(to_world.inverse() * place, covariance, to_world, NOT_MEASURED_STDDEV)
+  pose.position = measuredVector(core::Vector3::Zero(), covariance, isometry(datum_->eastNorthUpToWorld()),
+                                 NOT_MEASURED_STDDEV)
                       .at(place - from_reference);
   if (!has_height)
     pose.position = withoutHeight(pose.position, config(body).height);
@@ -103,8 +98,7 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::Imu& message, cons
   if (!sensor.coeffs().allFinite() || std::abs(sensor.norm() - 1.0) > 0.01)
     return describe(monitor::Rejection::BAD_QUATERNION);
   Eigen::Isometry3d mount;
-  const std::string& frame = source.frame.empty() ? message.header.frame_id : source.frame;
-  if (const Result error = mounts().find(config(body), frame, mount))
+  if (const Result error = mounts().find(config(body), sensorFrame(message.header, source), mount))
     return error;
   Eigen::Quaterniond reference(datum_ ? datum_->eastNorthUpToWorld() : core::Matrix3::Identity());
   if (config(body).body_axes == monitor::BodyAxes::FRD)
@@ -159,8 +153,7 @@ Result SensorInputAdapter::take(Body body, const sensor_msgs::FluidPressure& mes
   const double depth = (source.scale * message.fluid_pressure - config().inputs.air_pressure) / weight;
   core::Vector3 from_reference;
   const double t = timeOf(message.header.stamp, source);
-  const std::string& frame = source.frame.empty() ? message.header.frame_id : source.frame;
-  if (const Result error = lever(body, frame, t, from_reference))
+  if (const Result error = lever(body, sensorFrame(message.header, source), t, from_reference))
     return error;
   const bool is_told = message.variance > 0.0 && std::isfinite(message.variance);
   const std::optional<double> stddev =

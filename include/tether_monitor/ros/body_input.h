@@ -44,6 +44,11 @@ class BodyInput
   const SensorMounts& mounts() const { return mounts_; }
   /// When something was true [s]: the stamp, or the time at which it came, less the latency of the source.
   double timeOf(const ros::Time& stamp, const Source& source) const;
+  /// The frame of the sensor that a message is from.
+  static const std::string& sensorFrame(const std_msgs::Header& header, const Source& source)
+  {
+    return source.frame.empty() ? header.frame_id : source.frame;
+  }
   /// From the reference point of a body to a sensor on it, world axes [m].
   Result lever(Body body, const std::string& frame, double t, core::Vector3& from_reference) const;
   Result give(Body body, const monitor::PoseMeasurement& pose, const Source& source);

@@ -23,6 +23,11 @@ Eigen::Vector3d vector(const geometry_msgs::Vector3& v);
 /// Not normalised: the track checks it.
 Eigen::Quaterniond quaternion(const geometry_msgs::Quaternion& q);
 Eigen::Isometry3d isometry(const geometry_msgs::Transform& transform);
+/// A turn alone.
+inline Eigen::Isometry3d isometry(const core::Matrix3& rotation)
+{
+  return Eigen::Isometry3d(rotation);
+}
 geometry_msgs::Point pointMessage(const Eigen::Vector3d& v);
 geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v);
 geometry_msgs::Quaternion quaternionMessage(const Eigen::Quaterniond& q);

@@ -37,6 +37,9 @@ class MotionInputAdapter : public BodyInput
     core::Vector3 lever = core::Vector3::Zero();  // from the reference point to the sensor, world axes [m]
   };
 
+  Result readPose(Body body, const std_msgs::Header& header, const geometry_msgs::PoseWithCovariance& message,
+                  const ros::Time& now, const Source& source, Eigen::Isometry3d& to_world,
+                  monitor::PoseMeasurement& pose) const;
   Result twistAxes(Body body, const std_msgs::Header& header, double t, Axes& axes) const;
 };
 
