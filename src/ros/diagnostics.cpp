@@ -83,8 +83,11 @@ void diagnoseReasons(const monitor::TetherEstimator& estimator, const Diagnostic
     }
 }
 
-void diagnoseSurroundings(const DiagnosticInputs& inputs, diagnostic_updater::DiagnosticStatusWrapper& status)
+// Fixes of an observed vehicle come late as a rule, which the estimate allows for.
+void diagnoseSurroundings(const monitor::Config& config, const DiagnosticInputs& inputs,
+                          diagnostic_updater::DiagnosticStatusWrapper& status)
 {
+  const bool may_be_late = config.vehicle_mode == monitor::VehicleMode::OBSERVED;
   using Level = diagnostic_msgs::DiagnosticStatus;
   constexpr double CLOCKS_AGREE = 0.05;  // [s]
   if (inputs.clock_stands)
@@ -106,7 +109,8 @@ void diagnoseSurroundings(const DiagnosticInputs& inputs, diagnostic_updater::Di
       first = offset;
       first_topic = topic;
     }
-    else if (std::abs(offset - first) > CLOCKS_AGREE)
+    else if (std::abs(offset - first) > CLOCKS_AGREE &&
+             !(may_be_late && known->stream == InputStream::VEHICLE && offset < first))
     {
       status.mergeSummaryf(Level::WARN,
                            "stamps of %s and %s lie %.3f s apart: their clocks disagree, or one comes late",
@@ -160,7 +164,7 @@ void diagnose(const monitor::TetherEstimator& estimator, const DiagnosticInputs&
       status.mergeSummary(alarm.definition().severity == monitor::Severity::WARNING ? Level::WARN : Level::ERROR,
                           alarmText(alarm, inputs.time));
   diagnoseReasons(estimator, inputs, status);
-  diagnoseSurroundings(inputs, status);
+  diagnoseSurroundings(estimator.config(), inputs, status);
   if (estimator.vehicle().ensemble())
     diagnoseEnsemble(estimator, status);
   status.add("Largest tension [N]", e.max_tension);

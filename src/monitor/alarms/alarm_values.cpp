@@ -41,10 +41,12 @@ AlarmValue bendRadius(const Estimate& e, const Inputs&)
   return {e.governing_bend_radius, e.governing_bend_radius_s};
 }
 
+// What has never come has not stopped: the status says NO_INPUT.
 AlarmValue inputAge(const Estimate& e, const Inputs&)
 {
   const double age = std::max(e.vessel_age, e.vehicle_overdue);
-  return {e.payout_age > age ? e.payout_age : age, NOWHERE};
+  const double oldest = e.payout_age > age ? e.payout_age : age;
+  return {std::isinf(oldest) ? Estimate::NONE : oldest, NOWHERE};
 }
 
 AlarmValue tensionRate(const Estimate& e, const Inputs& in)

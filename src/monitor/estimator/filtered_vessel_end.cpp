@@ -71,8 +71,8 @@ Rejection FilteredVesselEnd::add(const PoseMeasurement* pose, const TwistMeasure
   {
     const MeasuredVector velocity = attachmentVelocity(*twist, track_.lastOrientation());
     if (velocity.isComplete() && filter_.hasPosition())
-      plausibility_.compareVelocity(twist->t, filter_.at(twist->t).end.position, velocity.value(),
-                                    track_.lastOrientation());
+      plausibility_.compareVelocity(twist->t, filter_.at(twist->t).end.position, track_.extrapolation(twist->t),
+                                    velocity.value(), track_.lastOrientation());
     if (!plausibility_.trustsVelocity())
       return Rejection::NONE;
     track_.addTwist(twist->t, twist->velocity.value(), twist->angular_velocity);

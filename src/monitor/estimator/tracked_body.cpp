@@ -85,8 +85,8 @@ bool TrackedBody::addPose(double t, const core::Vector3& position,
 void TrackedBody::addTwist(const TwistMeasurement& twist)
 {
   if (track_.hasPose())
-    plausibility_.compareVelocity(twist.t, track_.at(twist.t).position, twist.velocity.value(),
-                                  track_.lastOrientation());
+    plausibility_.compareVelocity(twist.t, track_.at(twist.t).position, track_.extrapolation(twist.t),
+                                  twist.velocity.value(), track_.lastOrientation());
   if (plausibility_.trustsVelocity())
     track_.addTwist(twist.t, twist.velocity.value(), twist.angular_velocity);
   else

@@ -136,6 +136,13 @@ double MotionBuffer::poseInterval(double t) const
   return after - poses_.begin() < 2 ? 0.0 : std::prev(after)->t - std::prev(after, 2)->t;
 }
 
+double MotionBuffer::rateAge(double t) const
+{
+  if (rates_.empty())
+    return std::numeric_limits<double>::infinity();
+  return std::max({0.0, t - rates_.back().t, rates_.front().t - t});
+}
+
 bool MotionBuffer::canInterpolate(double t) const
 {
   return !poses_.empty() && poses_.back().t >= t;

@@ -30,8 +30,8 @@ double MotionPlausibility::scatter() const
 
 double MotionPlausibility::tolerance(double acceleration, double dt, const MotionBuffer& track, double t) const
 {
-  const double lag =
-      track.hasRates(t) ? 0.5 * dt : 0.5 * (dt + MotionBuffer::VELOCITY_WINDOW + track.poseInterval(t));
+  const double lag = track.hasRates(t) ? 0.5 * dt + track.rateAge(track.lastPoseTime())
+                                       : 0.5 * (dt + MotionBuffer::VELOCITY_WINDOW + track.poseInterval(t));
   const double unknown = track.hasRates(t) || track.poseInterval(t) > 0.0 ? 0.0 : FASTEST;
   const double scattered = noise_[0].isKnown() ? scatter() : UNKNOWN_SCATTER;
   return LEAST_LEAP + SCATTERS * scattered + (acceleration * lag + unknown) * dt;
@@ -120,14 +120,16 @@ void MotionPlausibility::watch(double t, const core::Vector3& position, const Mo
     noise_[i].add(t, position[i]);
 }
 
-void MotionPlausibility::compareVelocity(double t, const core::Vector3& here, const core::Vector3& velocity,
-                                         const Eigen::Quaterniond& orientation)
+void MotionPlausibility::compareVelocity(double t, const core::Vector3& here, double ahead,
+                                         const core::Vector3& velocity, const Eigen::Quaterniond& orientation)
 {
+  const double unsure = 0.5 * HORIZONTAL_ACCELERATION * ahead * ahead;
   if (!window_.is_open || !(t > window_.t) || t - window_.t > LONGEST_STEP)
   {
     window_ = Window();
     window_.is_open = true;
     window_.began = window_.t = t;
+    window_.unsure = unsure;
     window_.from = here;
     window_.velocity = velocity;
     return;
@@ -140,14 +142,15 @@ void MotionPlausibility::compareVelocity(double t, const core::Vector3& here, co
   window_.velocity = velocity;
   if (t - window_.began < WINDOW)
     return;
-  checkWindow(here - window_.from);
+  checkWindow(here - window_.from, window_.unsure + unsure);
   window_.is_open = false;
 }
 
-void MotionPlausibility::checkWindow(const core::Vector3& displacement)
+void MotionPlausibility::checkWindow(const core::Vector3& displacement, double unsure)
 {
   const double duration = window_.t - window_.began;
-  const double most = VELOCITY_OFF * duration + VELOCITY_SHARE * displacement.norm() + SCATTERS * scatter();
+  const double most =
+      VELOCITY_OFF * duration + VELOCITY_SHARE * displacement.norm() + SCATTERS * scatter() + unsure;
   const double off = (displacement - window_.displacement).norm();
   trusts_velocity_ = off <= most;
   if (trusts_velocity_)
@@ -164,7 +167,8 @@ void MotionPlausibility::checkWindow(const core::Vector3& displacement)
 bool MotionPlausibility::isValid() const
 {
   bool sound = leap_position_.allFinite() && leap_count_ >= 0 && std::isfinite(leap_time_) &&
-               window_.displacement.allFinite() && window_.from.allFinite() && std::isfinite(window_.t);
+               window_.displacement.allFinite() && window_.from.allFinite() && std::isfinite(window_.t) &&
+               std::isfinite(window_.unsure);
   for (const DifferenceNoiseEstimator& noise : noise_)
     sound = sound && noise.isValid();
   return sound;

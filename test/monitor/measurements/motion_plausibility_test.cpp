@@ -93,7 +93,7 @@ TEST(MotionPlausibility, AVelocityInOtherAxesIsNamed)
     for (int i = 0; i < 100; ++i)
     {
       body.add(0.05 * i, 0.05 * i * velocity);
-      body.plausibility.compareVelocity(0.05 * i, body.track.at(0.05 * i).position, measured, heading);
+      body.plausibility.compareVelocity(0.05 * i, body.track.at(0.05 * i).position, 0.0, measured, heading);
     }
     return body.plausibility;
   };
@@ -119,13 +119,44 @@ TEST(MotionPlausibility, AVelocityThatLeapsIsNotTakenForALeapOfThePosition)
     if (!body.plausibility.trustsVelocity())
       body.track.clearRates();
     const core::Vector3 measured = velocity + core::Vector3(0.0, t < 10.0 ? 0.0 : 3.0, 0.0);
-    body.plausibility.compareVelocity(t, body.track.at(t).position, measured, Eigen::Quaterniond::Identity());
+    body.plausibility.compareVelocity(t, body.track.at(t).position, 0.0, measured, Eigen::Quaterniond::Identity());
     if (body.plausibility.trustsVelocity())
       body.track.addTwist(t, measured, core::Vector3::Zero());
   }
   EXPECT_EQ(doubtful, 0);
   EXPECT_FALSE(body.plausibility.trustsVelocity());
   EXPECT_GT(body.plausibility.last(Implausibility::CONTRADICTORY_VELOCITY), 15.0);
+}
+
+// What came late comes in bursts, one topic after the other: for a while the positions are a second ahead of the
+// velocities, or behind them.
+TEST(MotionPlausibility, ABurstOfOneTopicBeforeTheOtherIsNoContradiction)
+{
+  for (const bool positions_first : {true, false})
+  {
+    Checked body;
+    const double w = 2.0 * M_PI / 7.0;
+    int doubtful = 0;
+    const auto addPosition = [&](double t) { doubtful += body.add(t, swell(t, 7.0, 2.0)) != Verdict::GOOD; };
+    const auto addVelocity = [&](double t)
+    {
+      const core::Vector3 velocity(3.0, w * std::cos(w * t), -2.0 * w * std::sin(w * t));
+      body.plausibility.compareVelocity(t, body.track.at(t).position, body.track.extrapolation(t), velocity,
+                                        Eigen::Quaterniond::Identity());
+      body.track.addTwist(t, velocity, core::Vector3::Zero());
+    };
+    for (int i = 0; i < 2400;)
+    {
+      const int count = i % 200 == 100 ? 20 : 1;
+      for (int k = 0; k < count; ++k)
+        positions_first ? addPosition(0.05 * (i + k)) : i > 0 ? addVelocity(0.05 * (i + k)) : void();
+      for (int k = 0; k < count; ++k)
+        positions_first ? addVelocity(0.05 * (i + k)) : addPosition(0.05 * (i + k));
+      i += count;
+    }
+    EXPECT_EQ(doubtful, 0) << positions_first;
+    EXPECT_LT(body.plausibility.last(Implausibility::CONTRADICTORY_VELOCITY), 0.0) << positions_first;
+  }
 }
 
 }  // namespace tether_monitor::monitor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,8 @@ class MotionBuffer
   bool hasOrientation() const { return !poses_.empty() || !attitudes_.empty(); }
   /// True if something measures the rates at time t [s].
   bool hasRates(double t) const { return measuredRates(t).has_value(); }
+  /// How far the measured rates that stand for time t [s] are from it [s]; 0 between two; infinite without any.
+  double rateAge(double t) const;
   /// Age at time t of the last pose that is not later than t [s]; infinite without one.
   double age(double t) const;
   /// True if a pose at or after t is known, so that at(t) interpolates.
@@ -62,6 +65,8 @@ class MotionBuffer
   double lastPoseTime() const;
   /// Orientation at time t [s]; identity if none has come.
   Eigen::Quaterniond orientationAt(double t) const;
+  /// How far time t [s] is beyond the last pose [s]; 0 before it. hasPose() must hold.
+  double extrapolation(double t) const { return std::max(0.0, t - poses_.back().t); }
   /// State at time t [s]; hasPose() must hold.
   BodyState at(double t) const;
   /// Position beyond the last pose at time t [s] by the poses alone, without the rates that were measured.

@@ -42,10 +42,12 @@ class MotionPlausibility
    * Holds the velocity that was measured against the positions.
    *
    * @param here         where the body is at time t [m].
+   * @param ahead        for how long `here` is an extrapolation of the positions [s]; 0: it is none. What the body
+   * may have accelerated since is no contradiction.
    * @param velocity     in world axes [m/s].
    * @param orientation  of the body, with which body axes were turned into the world.
    */
-  void compareVelocity(double t, const core::Vector3& here, const core::Vector3& velocity,
+  void compareVelocity(double t, const core::Vector3& here, double ahead, const core::Vector3& velocity,
                        const Eigen::Quaterniond& orientation);
   void clear() { *this = MotionPlausibility(); }
 
@@ -74,7 +76,7 @@ class MotionPlausibility
   struct Window
   {
     bool is_open = false;
-    double began = 0.0, t = 0.0;
+    double began = 0.0, t = 0.0, unsure = 0.0;  // unsure: of where the body was when it began [m]
     core::Vector3 from = core::Vector3::Zero(), velocity = core::Vector3::Zero(),
                   displacement = core::Vector3::Zero();
     core::Vector3 turned_back = core::Vector3::Zero(), turned_on = core::Vector3::Zero();
@@ -82,14 +84,14 @@ class MotionPlausibility
     template <class Archive>
     void serialize(Archive& a)
     {
-      a(is_open, began, t, from, velocity, displacement, turned_back, turned_on);
+      a(is_open, began, t, unsure, from, velocity, displacement, turned_back, turned_on);
     }
   };
   double tolerance(double acceleration, double dt, const MotionBuffer& track, double t) const;
   bool fitsPoses(double t, const core::Vector3& position, const MotionBuffer& track) const;
   void watchRepeats(double t, const core::Vector3& position, const MotionBuffer& track);
   void note(Implausibility what, double t) { last_[static_cast<std::size_t>(what)] = t; }
-  void checkWindow(const core::Vector3& displacement);
+  void checkWindow(const core::Vector3& displacement, double unsure);
 
   std::array<DifferenceNoiseEstimator, 3> noise_;
   std::array<double, KINDS> last_ = none();
