@@ -40,6 +40,7 @@ set(test_files
   test/core/environment/seabed_test.cpp
   test/core/environment/wave_field_test.cpp
   test/core/environment/wave_spectrum_test.cpp
+  test/core/kernel/wave_kernel_test.cpp
   test/core/linalg/block_tridiagonal_test.cpp
   test/core/solve/abarbanel_zwas_test.cpp
   test/core/solve/adaptive_stepper_test.cpp

@@ -26,25 +26,44 @@ Surroundings surroundings(const EnvironmentModel& environment, const PropertyVar
           environment.hasWind()};
 }
 
-void sampleWater(const EnvironmentModel& environment, const CableState& state, int first, int count,
-                 double length_of[], double* table)
+// Places of the integration points, [POINTS][3][BLOCK] in the world, and the current there.
+void sampleCurrent(const EnvironmentModel& environment, const CableState& state, int first, int count,
+                   const double length_of[], double (&place)[POINTS][3][BLOCK], double* table)
 {
-  for (int g = 0; g < POINTS; ++g)
-    for (int lane = 0; lane < BLOCK; ++lane)
+  const CurrentProfile& profile = environment.current();
+  for (int lane = 0; lane < BLOCK; ++lane)
+  {
+    // The last element stands for those that are missing in its block.
+    const int i = std::min(lane, count - 1);
+    const auto e = elementCoords(state.q, first + i);
+    for (int g = 0; g < POINTS; ++g)
     {
-      const int i = first + std::min(lane, count - 1);
-      const Vector3 r = interpolate(shapeFunctions(QUADRATURE[g].xi, length_of[std::min(lane, count - 1)]),
-                                    elementCoords(state.q, i));
-      WaterKinematics water = environment.waterKinematics(r, state.time);
-      water.velocity += state.deployment.variation.currentAt(r.z());
-      double* at = table + g * WATER_ROWS * BLOCK + lane;
+      const Vector3 r = interpolate(shapeFunctions(QUADRATURE[g].xi, length_of[i]), e);
+      Vector3 current = state.deployment.variation.currentAt(r.z());
+      if (!profile.samples().empty())
+        current += profile.at(r.z());
       for (int k = 0; k < 3; ++k)
       {
-        at[(WATER_VELOCITY + k) * BLOCK] = water.velocity[k];
-        at[(WATER_ACCELERATION + k) * BLOCK] = water.acceleration[k];
+        place[g][k][lane] = r[k] + environment.origin()[k];
+        table[(g * WATER_ROWS + WATER_VELOCITY + k) * BLOCK + lane] = current[k];
       }
-      at[WATER_SURFACE * BLOCK] = water.surface;
     }
+  }
+}
+
+void sampleWater(const Kernel& kernel, const EnvironmentModel& environment, const CableState& state, int first,
+                 int count, const double length_of[], double* table)
+{
+  double place[POINTS][3][BLOCK];
+  sampleCurrent(environment, state, first, count, length_of, place, table);
+  const WaveField& waves = environment.waves();
+  for (int g = 0; g < POINTS; ++g)
+  {
+    double* rows = table + g * WATER_ROWS * BLOCK;
+    kernel.waves({place[g][0], place[g][1], place[g][2], count, state.time, waves.constants().data(),
+                  static_cast<int>(waves.constants().size()), waves.depth(), waves.isStretched(),
+                  rows + WATER_VELOCITY * BLOCK, rows + WATER_ACCELERATION * BLOCK, rows + WATER_SURFACE * BLOCK});
+  }
 }
 }  // namespace
 
@@ -95,7 +114,8 @@ void ElementAssembler::set(int i, const ElementParameters& p)
 }
 
 ElementBlock ElementAssembler::block(const EnvironmentModel& environment, const Surroundings& around,
-                                     const CableState& state, int first, int count, double* water) const
+                                     const Kernel& kernel, const CableState& state, int first, int count,
+                                     double* water) const
 {
   const Constants& constants = blocks_[first / BLOCK];
   const auto any = [](const bool(&flags)[BLOCK])
@@ -114,9 +134,7 @@ ElementBlock ElementAssembler::block(const EnvironmentModel& environment, const 
   out.around = &around;
   if (!environment.isUniform())
   {
-    double length[BLOCK];
-    std::copy(constants.x[LENGTH], constants.x[LENGTH] + BLOCK, length);
-    sampleWater(environment, state, first, count, length, water);
+    sampleWater(kernel, environment, state, first, count, constants.x[LENGTH], water);
     out.water = water;
   }
   return out;
@@ -127,7 +145,7 @@ void ElementAssembler::residuals(const Kernel& kernel, const EnvironmentModel& e
 {
   alignas(64) double water[WATER_TABLE];
   const Surroundings around = surroundings(environment, state.deployment.variation);
-  ElementBlock b = block(environment, around, state, first, count, water);
+  ElementBlock b = block(environment, around, kernel, state, first, count, water);
   b.element_residual = out->data();
   kernel.residuals(b);
 }
@@ -142,7 +160,7 @@ void ElementAssembler::assemble(const Kernel& kernel, const EnvironmentModel& en
   tangent.diagonal(0).setZero();
   for (int first = 0; first < count_; first += BLOCK)
   {
-    ElementBlock b = block(environment, around, state, first, std::min(BLOCK, count_ - first), water);
+    ElementBlock b = block(environment, around, kernel, state, first, std::min(BLOCK, count_ - first), water);
     b.mass = weights.mass;
     b.damping = weights.damping;
     b.stiffness = weights.stiffness;

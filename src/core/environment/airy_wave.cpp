@@ -6,11 +6,6 @@
 
 namespace tether_monitor::core
 {
-namespace
-{
-constexpr double NO_MOTION = -40.0;  // k z below which nothing is left, exp(-40)
-}
-
 std::vector<std::string> validate(const WaveProperties& waves, const std::string& prefix)
 {
   BoundsCheck check(prefix);
@@ -23,8 +18,7 @@ std::vector<std::string> validate(const WaveProperties& waves, const std::string
   return check.problems();
 }
 
-AiryWave::AiryWave(const WaveProperties& waves, double gravity, double depth)
-  : amplitude_(waves.amplitude), phase_(waves.phase), depth_(depth)
+AiryWave::AiryWave(const WaveProperties& waves, double gravity, double depth) : depth_(depth)
 {
   std::vector<std::string> faults = validate(waves);
   BoundsCheck check;
@@ -33,33 +27,40 @@ AiryWave::AiryWave(const WaveProperties& waves, double gravity, double depth)
   for (const std::string& fault : check.problems())
     faults.push_back(fault);
   throwIfInvalid("waves", faults);
-  wavenumber_ = 2.0 * M_PI / waves.length;
+  const double k = 2.0 * M_PI / waves.length;
   direction_ = Vector3(std::cos(waves.direction), std::sin(waves.direction), 0.0);
-  k_ = wavenumber_ * direction_;
-  frequency_ = std::sqrt(gravity * wavenumber_ * std::tanh(wavenumber_ * depth));  // (M21)
-  speed_ = amplitude_ * frequency_ / (1.0 - std::exp(-2.0 * wavenumber_ * depth));
+  k_ = k * direction_;
+  const double w = std::sqrt(gravity * k * std::tanh(k * depth));  // (M21)
+  constants_ = {waves.amplitude,
+                w,
+                k,
+                direction_.x(),
+                direction_.y(),
+                waves.phase,
+                waves.amplitude * w / (1.0 - std::exp(-2.0 * k * depth))};
 }
 
 void AiryWave::setTimeOrigin(double epoch)
 {
-  if (frequency_ > 0.0)
-    phase_ -= std::fmod(epoch, 2.0 * M_PI / frequency_) * frequency_;
+  const double w = constants_.frequency;
+  if (w > 0.0)
+    constants_.phase -= std::fmod(epoch, 2.0 * M_PI / w) * w;
 }
 
 double AiryWave::encounterFrequency(const Vector3& V) const
 {
-  return std::abs(frequency_ - k_.dot(V));
+  return std::abs(constants_.frequency - k_.dot(V));
 }
 
 AiryWave::Profile AiryWave::profile(double z) const
 {
-  const double kz = wavenumber_ * z;
-  if (kz < NO_MOTION)
+  const double kz = constants_.wavenumber * z;
+  if (kz < WaveConstants::NO_MOTION)
     return {0.0, 0.0};
   const double deep = std::exp(kz);
   // cosh and sinh of k (z + h) over sinh(k h), written so that deep water does not overflow.
-  const double mirror = std::isfinite(depth_) ? std::exp(-kz - 2.0 * wavenumber_ * depth_) : 0.0;
-  return {speed_ * (deep + mirror), speed_ * (deep - mirror)};
+  const double mirror = std::isfinite(depth_) ? std::exp(-kz - 2.0 * constants_.wavenumber * depth_) : 0.0;
+  return {constants_.speed * (deep + mirror), constants_.speed * (deep - mirror)};
 }
 
 }  // namespace tether_monitor::core

@@ -17,6 +17,7 @@ WaveField::WaveField(const SeaState& waves, double gravity, double depth, double
       continue;
     components_.emplace_back(wave, gravity, depth);
     components_.back().setTimeOrigin(epoch);
+    constants_.push_back(components_.back().constants());
   }
   if (waves.spectrum)
     dominant_ = AiryWave(peakWave(*waves.spectrum, gravity, depth), gravity, depth);

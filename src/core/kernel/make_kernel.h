@@ -2,6 +2,7 @@
 
 #include "block_elimination.h"
 #include "element_kernel.h"
+#include "wave_kernel.h"
 
 namespace tether_monitor::core::kernel
 {
@@ -33,6 +34,7 @@ constexpr Kernel makeKernel(const char* name)
           elementsKernel<W, EvaluationMode::SYMMETRIC>,
           elementsKernel<W, EvaluationMode::COMPLETE>,
           solveBlocks<W>,
+          wavesKernel<W>,
           multiplyAdds<W>};
 }
 }  // namespace tether_monitor::core::kernel

@@ -36,7 +36,8 @@ class ElementAssembler
          stiffening[kernel::BLOCK] = {};
   };
   kernel::ElementBlock block(const EnvironmentModel& environment, const kernel::Surroundings& around,
-                             const CableState& state, int first, int count, double* water) const;
+                             const kernel::Kernel& kernel, const CableState& state, int first, int count,
+                             double* water) const;
 
   int count_;
   std::vector<Constants> blocks_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tether_monitor/core/base/types.h"
+#include "tether_monitor/core/environment/wave_constants.h"
 
 namespace tether_monitor::core
 {
@@ -49,21 +50,26 @@ class AiryWave
 
   /// Counts times from `epoch` [s] on.
   void setTimeOrigin(double epoch);
-  bool isCalm() const { return amplitude_ == 0.0; }
-  double amplitude() const { return amplitude_; }          ///< a [m].
-  double frequency() const { return frequency_; }          ///< w [rad/s], in a fixed frame.
+  bool isCalm() const { return constants_.amplitude == 0.0; }
+  double amplitude() const { return constants_.amplitude; }  ///< a [m].
+  double frequency() const { return constants_.frequency; }  ///< w [rad/s], in a fixed frame.
+  const WaveConstants& constants() const { return constants_; }
   const Vector3& wavenumber() const { return k_; }         ///< k [rad/m], horizontal.
   const Vector3& direction() const { return direction_; }  ///< unit vector, horizontal.
   /// Frequency at which a body that moves with velocity V [m/s] meets the waves [rad/s], >= 0.
   double encounterFrequency(const Vector3& V) const;
 
   /// theta [rad] over the point (x, y) at time t [s].
-  double angle(double x, double y, double t) const { return k_.x() * x + k_.y() * y - frequency_ * t + phase_; }
+  double angle(double x, double y, double t) const
+  {
+    return k_.x() * x + k_.y() * y - constants_.frequency * t + constants_.phase;
+  }
   /// @param z  height [m] to which the motion dies away, stretched or not; -h <= z.
   Profile profile(double z) const;
 
  private:
-  double amplitude_ = 0.0, frequency_ = 0.0, wavenumber_ = 0.0, phase_ = 0.0, depth_ = DEEP, speed_ = 0.0;
+  WaveConstants constants_;
+  double depth_ = DEEP;
   Vector3 k_ = Vector3::Zero();
   Vector3 direction_ = Vector3::UnitX();
 };

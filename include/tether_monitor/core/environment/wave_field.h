@@ -34,6 +34,10 @@ class WaveField
 
   bool isCalm() const { return components_.empty(); }
   const std::vector<AiryWave>& components() const { return components_; }
+  /// Those of components().
+  const std::vector<WaveConstants>& constants() const { return constants_; }
+  double depth() const { return depth_; }  ///< h [m]
+  bool isStretched() const { return stretching_ == WaveStretching::WHEELER; }
   /// The wave of a spectrum's peak, or the highest component; calm where there is none.
   const AiryWave& dominant() const { return dominant_; }
 
@@ -46,6 +50,7 @@ class WaveField
   double profileHeight(double z, double elevation) const;
 
   std::vector<AiryWave> components_;
+  std::vector<WaveConstants> constants_;
   AiryWave dominant_;
   double depth_ = AiryWave::DEEP;
   WaveStretching stretching_ = WaveStretching::WHEELER;

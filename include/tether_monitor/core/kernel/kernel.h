@@ -4,6 +4,7 @@
 
 #include "tether_monitor/core/cable/axial_stiffening.h"
 #include "tether_monitor/core/kernel/block_solve_kernel.h"
+#include "tether_monitor/core/kernel/wave_block.h"
 
 namespace tether_monitor::core
 {
@@ -98,6 +99,7 @@ struct Kernel
                                            ///< time step: without the turning of drag with the tether.
   void (*complete)(const ElementBlock&);   ///< residual and the whole tangent.
   BlockSolveKernel solve;
+  WaveKernel waves;
   double (*multiplyAdds)(
       long rounds);  ///< nothing but independent multiply-adds: what the machine can do at most.
 };
