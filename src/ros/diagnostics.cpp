@@ -104,13 +104,14 @@ void diagnoseSurroundings(const monitor::Config& config, const DiagnosticInputs&
     const double offset = input.offset().mean;
     if (offset > CLOCKS_AGREE)
       status.mergeSummaryf(Level::WARN, "the clock of %s is %.3f s ahead of ours", topic.c_str(), offset);
+    if (may_be_late && known->stream == InputStream::VEHICLE)
+      continue;
     if (std::isnan(first))
     {
       first = offset;
       first_topic = topic;
     }
-    else if (std::abs(offset - first) > CLOCKS_AGREE &&
-             !(may_be_late && known->stream == InputStream::VEHICLE && offset < first))
+    else if (std::abs(offset - first) > CLOCKS_AGREE)
     {
       status.mergeSummaryf(Level::WARN,
                            "stamps of %s and %s lie %.3f s apart: their clocks disagree, or one comes late",

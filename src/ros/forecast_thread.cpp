@@ -14,10 +14,11 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr double MOST_SHARE = 0.25;    // of the interval that a forecast may take
-constexpr double LITTLE_SHARE = 0.12;  // below it there may be more again
+constexpr double MOST_SHARE = 0.18;    // of the interval that forecasts and recommendations may take
+constexpr double LITTLE_SHARE = 0.1;  // below it there may be more again
 constexpr int FEWEST_MEMBERS = 16;
 constexpr int RECOMMENDING_MEMBERS = 24;
+constexpr int FORECASTS_A_RECOMMENDATION = 2;
 constexpr double LONGEST_INTERVAL = 10.0;  // [s]
 constexpr double GROWTH = 1.25;
 constexpr double FASTER = 1.5, FASTER_BY = 0.5;          // than now: the largest speed that is tried [-, m/s]
@@ -123,23 +124,28 @@ void ForecastThread::run()
       start = std::move(waiting_);
       waiting_.reset();
     }
-    const double began = wallTime();
-    forecast(*start);
+    const double took = forecast(*start);
     const std::lock_guard<PriorityMutex> lock(mutex_);
-    budget_.note(wallTime() - began);
+    budget_.note(took);
     is_busy_ = false;
   }
 }
 
-void ForecastThread::forecast(const monitor::ForecastStart& start)
+double ForecastThread::forecast(const monitor::ForecastStart& start)
 {
   const int members = budget().members();
-  const double began = replay::cpuClock();
+  const double began = replay::cpuClock(), wall = wallTime();
+  double forecasting = 0.0;
   monitor::TetherForecast forecast;
   try
   {
     forecast = forecaster_.run(start, config_.forecast.horizon, members);
-    recommend(start, std::min(members, RECOMMENDING_MEMBERS));
+    forecasting = wallTime() - wall;
+    if (count_++ % FORECASTS_A_RECOMMENDATION == 0)
+    {
+      recommend(start, std::min(members, RECOMMENDING_MEMBERS));
+      recommending_ = wallTime() - wall - forecasting;
+    }
   }
   catch (const std::exception&)
   {
@@ -153,6 +159,7 @@ void ForecastThread::forecast(const monitor::ForecastStart& start)
   }
   forecast.computing_time = replay::cpuClock() - began;
   ready_(forecast);
+  return forecasting + recommending_ / FORECASTS_A_RECOMMENDATION;
 }
 
 void ForecastThread::recommend(const monitor::ForecastStart& start, int members)

@@ -59,7 +59,8 @@ class ForecastThread
 
  private:
   void run();
-  void forecast(const monitor::ForecastStart& start);
+  // What it takes, with the share of a recommendation [s].
+  double forecast(const monitor::ForecastStart& start);
   void recommend(const monitor::ForecastStart& start, int members);
 
   const monitor::Config config_;
@@ -72,7 +73,9 @@ class ForecastThread
   std::atomic<bool> is_over_{false};
   double last_ = -1e300;  // [s] of the last start
   ForecastBudget budget_;
-  bool recommends_speed_ = true;  // of the thread: speed and pay-out take turns
+  long count_ = 0;                // of the thread, as are those below: forecasts
+  double recommending_ = 0.0;     // time that the last recommendation took [s]
+  bool recommends_speed_ = true;  // speed and pay-out take turns
   double speed_, payout_rate_;    // last recommended [m/s]
   std::thread thread_;
 };

@@ -92,14 +92,14 @@ TetherForecaster::TetherForecaster(const Config& config) : limits_(config), body
   body_.attachment = config.vehicle.attachment;
 }
 
-bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon, int index, int members,
+bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& extent, int index,
                                       const ForecastActions& actions, const EndMotionSampler& vessel,
                                       const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper)
 {
   const auto available = start.members.size();
-  const auto from = static_cast<std::size_t>(index) < available && static_cast<std::size_t>(members) < available
-                        ? index * available / members
-                        : index % available;
+  const auto wanted = static_cast<std::size_t>(extent.members);
+  const auto from = static_cast<std::size_t>(index) < available && wanted < available ? index * available / wanted
+                                                                                      : index % available;
   const ForecastMember& member = start.members[from];
   const core::CableModel& model = *start.model;
   const core::Vector3& origin = model.environment().origin();
@@ -110,7 +110,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
   if (vehicle)
     other = vehicle->begin(random);
   UnknownForceCourse unknown(start, member, random);
-  const int steps = static_cast<int>(std::lround(horizon / STEP));
+  const int steps = static_cast<int>(std::lround(extent.horizon / STEP));
   core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
   core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
   for (int k = 1; k <= steps; ++k)
@@ -142,6 +142,8 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
     core::computeStations(cable, state, estimate_.stations);
     summarize(cable, estimate_);
     traces_.add(index, STEP * k, estimate_, limits_);
+    if (extent.isQuestion() && traces_.passesLimit(index))
+      return true;
     if (estimate_.breaking_utilisation > 1.0)
     {
       // It parts; what would come after is no number.
@@ -153,10 +155,9 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, double horizon
   return true;
 }
 
-void TetherForecaster::simulate(const ForecastStart& start, double horizon, int members,
-                                const ForecastActions& actions)
+void TetherForecaster::simulate(const ForecastStart& start, const Extent& extent, const ForecastActions& actions)
 {
-  traces_.begin(members, horizon, INTERVAL);
+  traces_.begin(extent.members, extent.horizon, INTERVAL);
   core::StepperOptions options = start.options;
   options.step = std::max(options.step, STEP);
   core::AdaptiveStepper stepper(*start.model, options);
@@ -169,9 +170,13 @@ void TetherForecaster::simulate(const ForecastStart& start, double horizon, int 
   std::optional<EndMotionSampler> vehicle;
   if (start.vehicle)
     vehicle.emplace(*start.vehicle, endOf(first.q.back(), first.v.back(), origin), STEP);
-  for (int i = 0; i < members; ++i)
-    if (!simulateMember(start, horizon, i, members, actions, vessel, vehicle ? &*vehicle : nullptr, stepper))
+  int passing = 0;
+  for (int i = 0; i < extent.members && passing <= extent.tolerated; ++i)
+  {
+    if (!simulateMember(start, extent, i, actions, vessel, vehicle ? &*vehicle : nullptr, stepper))
       traces_.drop(i);
+    passing += traces_.passesLimit(i);
+  }
 }
 
 TetherForecast TetherForecaster::run(const ForecastStart& start, double horizon, int members,
@@ -181,17 +186,18 @@ TetherForecast TetherForecaster::run(const ForecastStart& start, double horizon,
   forecast.t = start.t;
   forecast.horizon = horizon;
   forecast.from_plan = followsPlan(start, horizon, actions);
-  simulate(start, horizon, members, actions);
+  simulate(start, {horizon, members, members}, actions);
   if (traces_.alive() >= std::max(2.0, (1.0 - LARGEST_LOST_SHARE) * members))
     traces_.summarize(forecast);
   return forecast;
 }
 
-double TetherForecaster::probability(const ForecastStart& start, double horizon, int members,
-                                     const ForecastActions& actions)
+bool TetherForecaster::isSafe(const ForecastStart& start, double horizon, int members,
+                              const ForecastActions& actions)
 {
-  simulate(start, horizon, members, actions);
-  return traces_.alive() >= (1.0 - LARGEST_LOST_SHARE) * members ? traces_.probabilityOfOverTension() : 1.0;
+  simulate(start, {horizon, members, static_cast<int>(TOLERATED * members)}, actions);
+  return traces_.alive() >= (1.0 - LARGEST_LOST_SHARE) * members &&
+         traces_.probabilityOfOverTension() <= TOLERATED;
 }
 
 double TetherForecaster::largestVesselSpeed(const ForecastStart& start, double horizon, int members, double high)
@@ -200,33 +206,33 @@ double TetherForecaster::largestVesselSpeed(const ForecastStart& start, double h
   if (way.norm() < SLOWEST_WAY)
     return TetherForecast::NONE;
   way.normalize();
-  const auto isSafe = [&](double speed)
+  const auto isSafeAt = [&](double speed)
   {
     ForecastActions actions;
     actions.vessel.velocity = speed * way;
-    return probability(start, horizon, members, actions) <= TOLERATED;
+    return isSafe(start, horizon, members, actions);
   };
-  if (!limits_.limit || !isSafe(0.0))
+  if (!limits_.limit || !isSafeAt(0.0))
     return TetherForecast::NONE;
-  if (isSafe(high))
+  if (isSafeAt(high))
     return high;
-  return lastSafe(0.0, high, isSafe);
+  return lastSafe(0.0, high, isSafeAt);
 }
 
 double TetherForecaster::leastPayoutRate(const ForecastStart& start, double horizon, int members, double low,
                                          double high)
 {
-  const auto isSafe = [&](double rate)
+  const auto isSafeAt = [&](double rate)
   {
     ForecastActions actions;
     actions.payout_rate = rate;
-    return probability(start, horizon, members, actions) <= TOLERATED;
+    return isSafe(start, horizon, members, actions);
   };
-  if (!limits_.limit || !isSafe(high))
+  if (!limits_.limit || !isSafeAt(high))
     return TetherForecast::NONE;
-  if (isSafe(low))
+  if (isSafeAt(low))
     return low;
-  return lastSafe(high, low, isSafe);
+  return lastSafe(high, low, isSafeAt);
 }
 
 }  // namespace tether_monitor::monitor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 
 #include "tether_monitor/monitor/config/config.h"
@@ -29,6 +30,8 @@ class ForecastTraces
   void add(int member, double after, const TetherEstimate& e, const ForecastLimits& limits);
   /// Leaves a member out, whose tether could not be stepped.
   void drop(int member) { alive_[member] = 0; }
+  /// True if the member has come to the limit of over-tension.
+  bool passesLimit(int member) const { return std::isfinite(to_limit_[member]); }
   int alive() const { return static_cast<int>(alive_.count()); }
   /// Share of the members that pass the limit of over-tension within the horizon.
   double probabilityOfOverTension() const;

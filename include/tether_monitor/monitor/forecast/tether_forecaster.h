@@ -42,11 +42,19 @@ class TetherForecaster
   double leastPayoutRate(const ForecastStart& start, double horizon, int members, double low, double high);
 
  private:
-  void simulate(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
-  bool simulateMember(const ForecastStart& start, double horizon, int index, int members,
-                      const ForecastActions& actions, const EndMotionSampler& vessel,
-                      const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper);
-  double probability(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
+  // How much is simulated: a question ends once more members pass the limit than are tolerated.
+  struct Extent
+  {
+    double horizon;  // [s]
+    int members;
+    int tolerated;  // as many as members: all of it is of interest
+    bool isQuestion() const { return tolerated < members; }
+  };
+  void simulate(const ForecastStart& start, const Extent& extent, const ForecastActions& actions);
+  bool simulateMember(const ForecastStart& start, const Extent& extent, int index, const ForecastActions& actions,
+                      const EndMotionSampler& vessel, const EndMotionSampler* vehicle,
+                      core::AdaptiveStepper& stepper);
+  bool isSafe(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
 
   bool isStopped() const { return stop_ && *stop_; }
 
