@@ -21,7 +21,7 @@ install(TARGETS tether_monitor_core tether_monitor_monitor EXPORT tether_monitor
 install(DIRECTORY include/${PROJECT_NAME}/core include/${PROJECT_NAME}/monitor DESTINATION ${include_folder})
 install(EXPORT tether_monitor_targets NAMESPACE tether_monitor:: FILE tether_monitor-targets.cmake
   DESTINATION ${share_folder}/cmake)
-install(TARGETS tether_replay tether_steady RUNTIME DESTINATION ${bin_folder})
+install(TARGETS tether_identify tether_replay tether_steady RUNTIME DESTINATION ${bin_folder})
 install(DIRECTORY config launch rviz DESTINATION ${share_folder})
 
 if(NOT WITH_ROS)

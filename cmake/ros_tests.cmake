@@ -23,7 +23,7 @@ add_test(NAME tutorials COMMAND ${CATKIN_ENV} /usr/bin/python3 ${PROJECT_SOURCE_
 add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)
 
 foreach(script bad_parameters closed_loops sim_scenarios stacks tools)
-  add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_sim_node tether_replay tether_steady)
+  add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_sim_node tether_identify tether_replay tether_steady)
 endforeach()
 # Two nodes ten times as fast as in life want the machine for themselves.
 set_tests_properties(_ctest_tether_monitor_rostest_test_ros_sim_scenarios.test PROPERTIES RUN_SERIAL ON)

@@ -92,6 +92,7 @@ set(test_files
   test/monitor/forecast/forecast_traces_test.cpp
   test/monitor/forecast/tether_forecaster_test.cpp
   test/monitor/forecast/vessel_plan_test.cpp
+  test/monitor/identification/identification_test.cpp
   test/monitor/measurements/turn_counter_test.cpp
   test/monitor/measurements/body_state_test.cpp
   test/monitor/measurements/correction_blender_test.cpp

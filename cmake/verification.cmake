@@ -4,6 +4,7 @@ add_library(tether_monitor_verification STATIC
   verification/estimation_study.cpp
   verification/estimation_truths.cpp
   verification/forecast_study.cpp
+  verification/identification_study.cpp
   verification/manoeuvres.cpp
   verification/navigation_study.cpp
   verification/random_tether.cpp

@@ -65,7 +65,7 @@ void add(const NavigationConfig& n, BinaryWriter& to)
 void add(const UncertaintyConfig& u, BinaryWriter& to)
 {
   to(u.drag_normal, u.drag_tangential, u.mass_per_length, u.length, u.axial_stiffness, u.current, u.tension_stddev,
-     u.tension_bias, u.direction_stddev, u.members);
+     u.tension_bias, u.direction_stddev, u.fouling_memory, u.members);
 }
 }  // namespace
 

@@ -6,7 +6,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double CURRENT_MEMORY = 1200.0, FOULING_MEMORY = 3600.0, BUILT_MEMORY = 36000.0;  // [s]
+constexpr double CURRENT_MEMORY = 1200.0, SENSOR_MEMORY = 3600.0, BUILT_MEMORY = 36000.0;  // [s]
 constexpr double SHEAR_SHARE = 0.5;  // of the current's standard deviation
 
 // Standard deviation of the logarithm of a factor whose own is `relative`.
@@ -25,8 +25,8 @@ ParameterPrior parameterPrior(const Config& config)
     prior.stddev[p] = stddev;
     prior.memory[p] = memory;
   };
-  set(DRAG_NORMAL, ofLogarithm(u.drag_normal), FOULING_MEMORY);
-  set(DRAG_TANGENTIAL, ofLogarithm(u.drag_tangential), FOULING_MEMORY);
+  set(DRAG_NORMAL, ofLogarithm(u.drag_normal), u.fouling_memory);
+  set(DRAG_TANGENTIAL, ofLogarithm(u.drag_tangential), u.fouling_memory);
   set(MASS_PER_LENGTH, u.mass_per_length, BUILT_MEMORY);
   set(LENGTH, u.length, BUILT_MEMORY);
   set(AXIAL_STIFFNESS, ofLogarithm(u.axial_stiffness), BUILT_MEMORY);
@@ -34,10 +34,10 @@ ParameterPrior parameterPrior(const Config& config)
   set(CURRENT_Y, u.current, CURRENT_MEMORY);
   set(SHEAR_X, SHEAR_SHARE * u.current, CURRENT_MEMORY);
   set(SHEAR_Y, SHEAR_SHARE * u.current, CURRENT_MEMORY);
-  set(VEHICLE_DRAG, ofLogarithm(config.navigation.drag_stddev), FOULING_MEMORY);
-  set(TENSION_BIAS, u.tension_bias * config.tether.working_load, FOULING_MEMORY);
-  set(DIRECTION_AZIMUTH, u.direction_stddev, FOULING_MEMORY);
-  set(DIRECTION_ELEVATION, u.direction_stddev, FOULING_MEMORY);
+  set(VEHICLE_DRAG, ofLogarithm(config.navigation.drag_stddev), u.fouling_memory);
+  set(TENSION_BIAS, u.tension_bias * config.tether.working_load, SENSOR_MEMORY);
+  set(DIRECTION_AZIMUTH, u.direction_stddev, SENSOR_MEMORY);
+  set(DIRECTION_ELEVATION, u.direction_stddev, SENSOR_MEMORY);
   return prior;
 }
 

@@ -15,6 +15,7 @@ struct UncertaintyConfig
   double tension_stddev = 0.02;  ///< of a reading of the load cell, over the reading [-], > 0.
   double tension_bias = 0.02;    ///< of its bias, over the working load [-].
   double direction_stddev = 0.03;  ///< of a reading of the tether's direction, and of its bias [rad], > 0.
+  double fouling_memory = 3600.0;  ///< in which the drag of tether and vehicle may become another [s], > 0.
   int members = 96;                ///< tethers of the ensemble, 64..1000.
 };
 
