@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes the tables of doc/theory from bench/results: each stands between two comments with its name.
 
-write_tables.py [estimation] [forecast]
+write_tables.py [estimation] [forecast] [identification]
 """
 import json
 import os
@@ -64,6 +64,12 @@ def forecast(rows):
                   "forecasts of 0 to 5, 5 to 20, 20 to 40, 40 to 60, 60 to 80, 80 to 95, 95 to 100 %: came true"], out)
 
 
+def identification(rows):
+    return table(["dive", "load cell", "parameter", "inside 95 %", "identified off", "configured off", "band"],
+                 [[r["case"], WORDS[r["load_cell"]], "`%s`" % r["parameter"], "%d of %d" % (r["within_95"], r["truths"]), "%.3f" % r["rms"],
+                   "%.3f" % r["configured_rms"], "%.3f" % r["stddev"]] for r in rows])
+
+
 def write(path, name, text):
     path = os.path.join(ROOT, path)
     with open(path, encoding="utf-8") as source:
@@ -83,7 +89,9 @@ def main(names):
         write("doc/theory/estimation.md", "misconfigured", misconfigured(estimation["misconfigured"]))
     if "forecast" in names:
         write("doc/theory/forecast.md", "forecast", forecast(results("forecast")))
+    if "identification" in names:
+        write("doc/theory/estimation.md", "identification", identification(results("identification")))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:] or ["estimation", "forecast"])
+    main(sys.argv[1:] or ["estimation", "forecast", "identification"])

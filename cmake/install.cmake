@@ -22,7 +22,8 @@ install(DIRECTORY include/${PROJECT_NAME}/core include/${PROJECT_NAME}/monitor D
 install(EXPORT tether_monitor_targets NAMESPACE tether_monitor:: FILE tether_monitor-targets.cmake
   DESTINATION ${share_folder}/cmake)
 install(TARGETS tether_identify tether_replay tether_steady RUNTIME DESTINATION ${bin_folder})
-install(DIRECTORY config launch rviz DESTINATION ${share_folder})
+install(PROGRAMS scripts/tether_report DESTINATION ${bin_folder})
+install(DIRECTORY config launch report rviz DESTINATION ${share_folder})
 
 if(NOT WITH_ROS)
   include(CMakePackageConfigHelpers)

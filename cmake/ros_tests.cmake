@@ -19,6 +19,7 @@ foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jum
   add_dependencies(${scenario}_test tether_monitor_node)
 endforeach()
 
+add_test(NAME report COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/report.py)
 add_test(NAME tutorials COMMAND ${CATKIN_ENV} /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/tutorials.py)
 add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)
 

@@ -101,6 +101,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
     summary["interrupted"] = true;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
+  summary["working_load"] = estimator.config().tether.working_load;
+  summary["breaking_load"] = estimator.config().tether.breaking_load;
   summary["elements"] = estimator.simulation().model.elements();
   summary["largest_step"] = estimator.simulation().mesh.step;
   summary["expected_error"] = orNull(estimator.simulation().mesh.error);

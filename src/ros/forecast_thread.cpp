@@ -14,7 +14,7 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr double MOST_SHARE = 0.18;    // of the interval that forecasts and recommendations may take
+constexpr double MOST_SHARE = 0.18;   // of the interval that forecasts and recommendations may take
 constexpr double LITTLE_SHARE = 0.1;  // below it there may be more again
 constexpr int FEWEST_MEMBERS = 16;
 constexpr int RECOMMENDING_MEMBERS = 24;

@@ -4,6 +4,7 @@ import fcntl
 import json
 import math
 import os
+import random
 import shutil
 import signal
 import subprocess
@@ -59,6 +60,49 @@ class Tools(unittest.TestCase):
 
     def replay(self, *arguments, config=SITE):
         return run("tether_replay", "--config", config, "--out", self.out, "--quiet", *arguments)
+
+    def tow_config(self, name, mode, drag):
+        with open(SITE) as text:
+            tree = yaml.safe_load(text)
+        tree["tether"].update(drag_normal=drag, elements=10)
+        tree["vehicle"] = {"mode": mode, "mass": 120.0, "volume": 0.02, "inertia": [5.0, 5.0, 5.0],
+                           "drag_area": [0.1, 0.1, 0.1], "added_mass": [20.0, 20.0, 20.0], "center_of_buoyancy": [0.0, 0.0, 0.05]}
+        return self.file(name + ".yaml", yaml.safe_dump(tree))
+
+    def test_identify(self):
+        # A tow that turns, by a free vehicle under a tether with more drag than will be configured.
+        radius, speed, noise = 60.0, 1.5, random.Random(1)
+        motion, t, x, y, heading = "t,vessel_x,vessel_y,vessel_z,vessel_vx,vessel_vy,vessel_vz,vehicle_x,vehicle_y,vehicle_z\n", 0.0, 0.0, 0.0, 0.0
+        while t < 180.0:
+            vx, vy = speed * math.cos(heading), speed * math.sin(heading)
+            motion += "%.1f,%.4f,%.4f,0,%.5f,%.5f,0,,,\n" % (t, x, y, vx, vy)
+            heading += 0.1 * speed / radius if 60.0 <= t < 120.0 else 0.0
+            t, x, y = t + 0.1, x + 0.1 * vx, y + 0.1 * vy
+        path = self.file("way.csv", motion.replace(",,,\n", ",0,0,-50\n"))
+        ended = self.replay("--motion", path, config=self.tow_config("truth", "free", 1.8))
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        places = {round(float(row["t"]), 1): row for row in rows(self.out + "/ends.csv")}
+        dive = motion.splitlines()[0] + ",tension\n"
+        for line in motion.splitlines()[1:]:
+            at = float(line.split(",")[0])
+            row = places[round(at, 1)]
+            place = ["%.3f" % (float(row["vehicle_" + axis]) + noise.gauss(0.0, 0.1)) for axis in "xyz"]
+            cell = "%.2f" % (float(row["vessel_tension"]) * (1.0 + noise.gauss(0.0, 0.01)))
+            is_second = abs(at - round(at)) < 0.01
+            dive += ",".join(line.split(",")[:7] + (place if is_second else [""] * 3) + [cell]) + "\n"
+        told = self.tow_config("told", "observed", 1.35)
+        ended = run("tether_identify", "--config", told, "--motion", self.file("dive.csv", dive), "--out", self.out)
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertIn("the record does not tell", ended.stdout)
+        with open(self.out + "/identified.yaml") as text:
+            found = yaml.safe_load(text)
+        self.assertAlmostEqual(float(found["tether"]["drag_normal"]), 1.8, delta=0.2, msg=ended.stdout)
+        self.assertLess(float(found["tether"]["uncertainty"]["drag_normal"]), 0.2)
+        self.assertEqual(found["tether"]["length"], 100.0 if "length" not in found["tether"]["uncertainty"] else found["tether"]["length"])
+        self.assertEqual(found["vehicle"]["mass"], 120.0)
+        ended = self.replay("--motion", os.path.join(self.folder.name, "dive.csv"), config=self.out + "/identified.yaml")
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""), "what it wrote can be used")
+        self.refused(run("tether_identify", "--config", SITE, "--motion", path, "--out", self.out), "vehicle.mode must be observed")
 
     def test_bag(self):
         ended = self.replay("--bag", TANK_BAG, config=TANK)

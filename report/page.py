@@ -1,0 +1,152 @@
+"""One HTML file with everything in it: no network is needed to read it."""
+import html
+import json
+import os
+
+import numpy as np
+
+import charts
+import rainflow
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+MOST_FRAMES = 300  # of the slider
+
+
+def own_file(name):
+    with open(os.path.join(HERE, name), encoding="utf-8") as text:
+        return text.read()
+
+
+def quantity(newtons):
+    """4.54 kN, 82 N: three figures and the unit."""
+    if np.isnan(newtons):
+        return "-"
+    if abs(newtons) >= 999.5:
+        return "%.3g kN" % (newtons / 1e3) if abs(newtons) < 999.5e3 else "%.3g MN" % (newtons / 1e6)
+    return "%.3g N" % newtons
+
+
+def table(head, rows):
+    cells = lambda kind, row: "".join("<%s>%s</%s>" % (kind, html.escape(str(x)), kind) for x in row)  # noqa: E731
+    return "<table><tr>%s</tr>%s</table>" % (cells("th", head), "".join("<tr>%s</tr>" % cells("td", row) for row in rows))
+
+
+def section(title, *parts):
+    return "<section><h2>%s</h2>%s</section>" % (html.escape(title), "".join(parts))
+
+
+def headline(dive):
+    largest = dive.ends["max_tension"]
+    figures = [("duration", "%.0f s" % (dive.t[-1] - dive.t[0]))]
+    if np.isfinite(largest).any():
+        k = int(np.nanargmax(largest))
+        figures += [("largest tension", quantity(largest[k])),
+                    ("when and where", "t = %.1f s, s = %.0f m" % (dive.t[k], dive.ends["max_tension_s"][k]))]
+        load = dive.summary.get("working_load")
+        if load:
+            figures.append(("of the working load", "%.0f %%" % (100.0 * largest[k] / load)))
+    total = len(dive.status)
+    for word in ("OK", "DEGRADED", "INVALID", "STOWED"):
+        if word in dive.status:
+            figures.append((word, "%.1f %% of the time" % (100.0 * dive.status.count(word) / total)))
+    return '<div class="figures">%s</div>' % "".join("<div>%s<b>%s</b></div>" % (html.escape(n), html.escape(v)) for n, v in figures)
+
+
+def alarms(dive):
+    """Every alarm from its rise to its end, with its peak between."""
+    if dive.alarms is None:
+        return "<p>No alarm was raised.</p>"
+    rows, open_at = [], {}
+    columns = {name: dive.alarms.text(name) for name in ("name", "state", "severity", "limit", "s")}
+    t, value = dive.alarms["t"], dive.alarms["value"]
+    for k, name in enumerate(columns["name"]):
+        if columns["state"][k] == "NORMAL":
+            if name in open_at:
+                rows[open_at.pop(name)][3] = "%.1f" % t[k]
+            continue
+        if name not in open_at:
+            open_at[name] = len(rows)
+            rows.append([name.replace("_", " "), columns["severity"][k].lower(), "%.1f" % t[k], "-", "%.4g" % value[k],
+                         columns["limit"][k] or "-", columns["s"][k] or "-"])
+    return table(["alarm", "severity", "from [s]", "to [s]", "value when raised", "limit", "s [m]"], rows) if rows else "<p>No alarm was raised.</p>"
+
+
+def slider(dive):
+    shape, unit = dive.shape, charts.Unit(dive)
+    keep = np.unique(np.linspace(0, len(shape.t) - 1, MOST_FRAMES).astype(int))
+    frames, corners = [], {"rz": [], "xy": []}
+    for k in keep:
+        x, y = shape.x[k] - shape.x[k, 0], shape.y[k] - shape.y[k, 0]
+        r = np.hypot(x, y)
+        frames.append({"t": round(float(shape.t[k]), 2), "x": np.round(x, 2).tolist(), "y": np.round(y, 2).tolist(),
+                       "r": np.round(r, 2).tolist(), "z": np.round(shape.z[k], 2).tolist(),
+                       "tension": np.round(shape.tension[k]).tolist()})
+        corners["rz"].append((r, shape.z[k]))
+        corners["xy"].append((x, y))
+    box = {}
+    for name, pairs in corners.items():
+        across, up = (np.concatenate([pair[i] for pair in pairs]) for i in (0, 1))
+        pad = 0.05 * max(np.ptp(across), np.ptp(up), 1.0)
+        box[name] = [float(across.min() - pad), float(across.max() + pad), float(up.min() - pad), float(up.max() + pad)]
+    data = json.dumps({"frames": frames, "box": box, "most": float(max(np.nanmax(shape.tension), 1e-9)),
+                       "unit": unit.name, "size": unit.size}, allow_nan=False)
+    return ('<p id="shape-label"></p><input type="range" id="shape-time" min="0" value="0" aria-label="time">'
+            '<div class="pair"><canvas id="shape-elevation" width="640" height="480"></canvas>'
+            '<canvas id="shape-plan" width="640" height="480"></canvas></div>'
+            "<p>Square: vessel; dot: vehicle; the darker, the tauter.</p>"
+            '<script type="application/json" id="shape-data">%s</script><script>%s</script>' % (data, own_file("shape.js")))
+
+
+def learnt(table_of):
+    last = {}
+    for k, name in enumerate(table_of.text("name")):
+        last[name] = k
+    columns = {key: table_of[key] for key in ("mean", "stddev", "configured", "configured_stddev")}
+    return table(["parameter", "configured", "believed at the end"],
+                 [[name, "%.4g ± %.2g" % (columns["configured"][k], columns["configured_stddev"][k]),
+                   "%.4g ± %.2g" % (columns["mean"][k], columns["stddev"][k])] for name, k in last.items()])
+
+
+def fatigue(dive):
+    known = dive.vessel[~np.isnan(dive.vessel)]
+    counted = rainflow.cycles(known)
+    if not counted:
+        return "<p>No cycle of tension.</p>"
+    text = "<p>%.0f cycles of tension at the vessel end, the largest of %s. Counted by rainflow (ASTM E1049-85) over the rows of ends.csv.</p>" % (
+        sum(c for _, c in counted), quantity(max(r for r, _ in counted)))
+    return text + '<div class="pair">%s%s</div>' % (charts.cycle_counts(counted, charts.Unit(dive)), charts.exceedance(dive))
+
+
+def contacts(table_of):
+    names = table_of.text("obstacle")
+    t, s = table_of["t"], table_of["s"]
+    rows = []
+    for name in dict.fromkeys(names):
+        pick = np.array([n == name for n in names])
+        rows.append([name, "%.1f" % t[pick][0], "%.1f" % t[pick][-1], int(pick.sum()), "%.1f to %.1f" % (s[pick].min(), s[pick].max())])
+    return table(["obstacle", "first [s]", "last [s]", "rows", "s [m]"], rows)
+
+
+def score(summary):
+    scored = summary.get("forecast") or {}
+    rows = [[key.replace("_", " "), "%.3g" % x if isinstance(x, float) else x] for key, x in scored.items()
+            if isinstance(x, (int, float)) and not isinstance(x, bool)]
+    return table(["forecast", ""], rows) if rows else ""
+
+
+def page(dive, title):
+    parts = [headline(dive), section("Tension", charts.tension(dive)), section("Alarms", alarms(dive))]
+    if dive.summary.get("reason"):
+        parts.append(section("Why the estimate was not OK", table(["reason", "rows"], sorted(dive.summary["reason"].items()))))
+    if dive.shape is not None:
+        parts += [section("Shape", slider(dive)), section("Tension along the tether", charts.along_the_tether(dive))]
+    if dive.forecast is not None:
+        parts.append(section("Forecast against what came", charts.forecast(dive), score(dive.summary)))
+    if dive.parameters is not None:
+        parts.append(section("What the estimate learnt", learnt(dive.parameters), charts.parameters(dive.parameters)))
+    if dive.contacts is not None:
+        parts.append(section("Contact", contacts(dive.contacts)))
+    parts.append(section("Cycles of tension", fatigue(dive)))
+    return ('<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+            "<title>%s</title><style>%s</style></head><body><h1>%s</h1>%s</body></html>\n"
+            % (html.escape(title), own_file("page.css"), html.escape(title), "".join(parts)))
