@@ -72,24 +72,22 @@ class Tools(unittest.TestCase):
     def test_identify(self):
         # A tow that turns, by a free vehicle under a tether with more drag than will be configured.
         radius, speed, noise = 60.0, 1.5, random.Random(1)
-        motion, t, x, y, heading = "t,vessel_x,vessel_y,vessel_z,vessel_vx,vessel_vy,vessel_vz,vehicle_x,vehicle_y,vehicle_z\n", 0.0, 0.0, 0.0, 0.0
-        while t < 180.0:
+        way, x, y, heading = [], 0.0, 0.0, 0.0
+        for k in range(1800):
             vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-            motion += "%.1f,%.4f,%.4f,0,%.5f,%.5f,0,,,\n" % (t, x, y, vx, vy)
-            heading += 0.1 * speed / radius if 60.0 <= t < 120.0 else 0.0
-            t, x, y = t + 0.1, x + 0.1 * vx, y + 0.1 * vy
-        path = self.file("way.csv", motion.replace(",,,\n", ",0,0,-50\n"))
+            way.append("%.1f,%.4f,%.4f,0,%.5f,%.5f,0" % (0.1 * k, x, y, vx, vy))
+            heading += 0.1 * speed / radius if 600 <= k < 1200 else 0.0
+            x, y = x + 0.1 * vx, y + 0.1 * vy
+        head = "t,vessel_x,vessel_y,vessel_z,vessel_vx,vessel_vy,vessel_vz"
+        path = self.file("way.csv", "\n".join([head] + way) + "\n")
         ended = self.replay("--motion", path, config=self.tow_config("truth", "free", 1.8))
         self.assertEqual((ended.returncode, ended.stdout), (0, ""))
-        places = {round(float(row["t"]), 1): row for row in rows(self.out + "/ends.csv")}
-        dive = motion.splitlines()[0] + ",tension\n"
-        for line in motion.splitlines()[1:]:
-            at = float(line.split(",")[0])
-            row = places[round(at, 1)]
-            place = ["%.3f" % (float(row["vehicle_" + axis]) + noise.gauss(0.0, 0.1)) for axis in "xyz"]
-            cell = "%.2f" % (float(row["vessel_tension"]) * (1.0 + noise.gauss(0.0, 0.01)))
-            is_second = abs(at - round(at)) < 0.01
-            dive += ",".join(line.split(",")[:7] + (place if is_second else [""] * 3) + [cell]) + "\n"
+        dive = [head + ",vehicle_x,vehicle_y,vehicle_z,tension"]
+        for k, row in enumerate(rows(self.out + "/ends.csv")):
+            place = ["%.3f" % (float(row["vehicle_" + axis]) + noise.gauss(0.0, 0.1)) for axis in "xyz"] if k % 10 == 0 else [""] * 3
+            tension = math.sqrt(sum(float(row["vessel_f" + axis]) ** 2 for axis in "xyz"))
+            dive.append(",".join([way[k]] + place + ["%.2f" % (tension * (1.0 + noise.gauss(0.0, 0.01)))]))
+        dive = "\n".join(dive) + "\n"
         told = self.tow_config("told", "observed", 1.35)
         ended = run("tether_identify", "--config", told, "--motion", self.file("dive.csv", dive), "--out", self.out)
         self.assertEqual(ended.returncode, 0, ended.stdout)
@@ -113,7 +111,8 @@ class Tools(unittest.TestCase):
         with open(self.out + "/summary.json") as text:
             summary = json.load(text)
         self.assertEqual(set(summary), {"elements", "largest_step", "expected_error", "reason", "simulated_seconds", "cpu_seconds",
-                                        "steps", "iterations", "rejected_steps", "worst_step_us", "max_tension", "max_tension_t", "max_tension_s", "status"})
+                                        "steps", "iterations", "rejected_steps", "worst_step_us", "max_tension", "max_tension_t", "max_tension_s", "status",
+                                        "working_load", "breaking_load"})
         self.assertEqual(sum(summary["status"].values()), 249)
         alarms = rows(self.out + "/alarms.csv")
         self.assertIn("over_tension", [row["name"] for row in alarms])
