@@ -19,6 +19,11 @@ foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jum
   add_dependencies(${scenario}_test tether_monitor_node)
 endforeach()
 
+# The installation, where the prefix is a folder of the build (scripts/environment.sh): elsewhere a test must not install.
+if(CMAKE_INSTALL_PREFIX STREQUAL "${CMAKE_BINARY_DIR}/install")
+  add_test(NAME installed COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/installed.py ${CMAKE_BINARY_DIR} ${CMAKE_INSTALL_PREFIX})
+  set_tests_properties(installed PROPERTIES RUN_SERIAL ON)
+endif()
 add_test(NAME report COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/report.py)
 add_test(NAME tutorials COMMAND ${CATKIN_ENV} /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/tutorials.py)
 add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)

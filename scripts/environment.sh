@@ -19,7 +19,7 @@ install_dependencies() {
 
 # build TARGET...: configures if needed and builds; CONFIGURE holds further options.
 build() {
-  cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON ${CONFIGURE:-} > "$ROOT/.build/configure.log" 2>&1 \
+  cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON -DCMAKE_INSTALL_PREFIX="$BUILD/install" ${CONFIGURE:-} > "$ROOT/.build/configure.log" 2>&1 \
     || { cat "$ROOT/.build/configure.log"; return 1; }
   cmake --build "$BUILD" --target "$@"
 }
