@@ -9,6 +9,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+constexpr double BACK = 0.9;  // of a threshold: narrower, and what was too wide is not any more
+
 double largestTensionStddev(const TetherEstimate& e)
 {
   return std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev);
@@ -192,7 +194,9 @@ Reason ObservedVehicleEnd::invalidReason(const TetherEstimate& e, const EndTarge
   // The waves are still to come, and no alarm is wanted for what is missing of them.
   if (targets.is_vessel_ramping_up && stddev > navigation_.degraded_stddev)
     return Reason::SETTLING;
-  return stddev <= navigation_.invalid_stddev ? Reason::NONE : Reason::UNCERTAIN;
+  const bool was_worthless = e.status == Status::INVALID && e.reasons.has(Reason::UNCERTAIN);
+  const double most = (was_worthless ? BACK : 1.0) * navigation_.invalid_stddev;
+  return stddev <= most ? Reason::NONE : Reason::UNCERTAIN;
 }
 
 Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
@@ -202,7 +206,8 @@ Reason ObservedVehicleEnd::degradedReason(const TetherEstimate& e) const
   const bool thrust_is_late = thrust_.age(e.time).value_or(0.0) > pose_timeout_;
   if (thrust_is_late || ensemble_.overdueTime(ensemble_.age(e.time)) > pose_timeout_)
     return Reason::VEHICLE_STALE;
-  return largestTensionStddev(e) > navigation_.degraded_stddev * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
+  const double most = (e.reasons.has(Reason::UNCERTAIN) ? BACK : 1.0) * navigation_.degraded_stddev;
+  return largestTensionStddev(e) > most * working_load_ ? Reason::UNCERTAIN : Reason::NONE;
 }
 
 void ObservedVehicleEnd::prepareForecast(ForecastStart& start) const

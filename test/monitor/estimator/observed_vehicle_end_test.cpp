@@ -2,6 +2,7 @@
 // saving.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -165,6 +166,38 @@ TEST(ObservedVehicle, ABandThatIsTooWideIsUncertain)
   NavigationFixture hopeless(config);
   EXPECT_EQ(hopeless.run(60.0).status, Status::INVALID);
   EXPECT_EQ(hopeless.estimator.estimate().reason, Reason::UNCERTAIN);
+}
+
+// The threshold lies in the middle of what the band does.
+TEST(ObservedVehicle, AStatusDoesNotFlickerAboutItsThreshold)
+{
+  Config config = observedConfig();
+  std::vector<double> widths;
+  NavigationFixture first(config);
+  first.run(60.0);
+  for (int k = 0; k < 1200; ++k)
+  {
+    const TetherEstimate& e = first.run(0.05);
+    widths.push_back(std::max(e.vessel_tension_stddev, e.vehicle_tension_stddev));
+  }
+  std::vector<double> sorted = widths;
+  std::sort(sorted.begin(), sorted.end());
+  const double middle = sorted[sorted.size() / 2];
+  int crossings = 0, changes = 0;
+  for (std::size_t k = 1; k < widths.size(); ++k)
+    crossings += (widths[k] > middle) != (widths[k - 1] > middle);
+
+  config.navigation.degraded_stddev = middle / config.tether.working_load;
+  NavigationFixture second(config);
+  Status before = second.run(60.0).status;
+  for (int k = 0; k < 1200; ++k)
+  {
+    const Status now = second.run(0.05).status;
+    changes += now != before;
+    before = now;
+  }
+  EXPECT_GT(crossings, 20);
+  EXPECT_LT(4 * changes, crossings);
 }
 
 TEST(ObservedVehicle, FindsAForceThatNobodyTold)
