@@ -23,6 +23,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/cycle_thread.cpp
   src/ros/diagnostics.cpp
   src/ros/estimator_runner.cpp
+  src/ros/force_text.cpp
   src/ros/forecast_publisher.cpp
   src/ros/forecast_thread.cpp
   src/ros/geodetic_datum.cpp

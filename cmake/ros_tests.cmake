@@ -4,7 +4,7 @@ find_package(roslaunch REQUIRED)
 
 roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
-foreach(unit cycle_statistics forecast_thread geometry_conversions input_adapter input_statistics input_topics markers message_bounds message_conversions
+foreach(unit cycle_statistics force_text forecast_thread geometry_conversions input_adapter input_statistics input_topics markers message_bounds message_conversions
         sensor_input_adapter standard_outputs
         state_keeper time_conversion transform_input)
   add_unit_test(test/ros/unit/${unit}_test.cpp)

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "tether_monitor/monitor/alarms/alarm_quantities.h"
-#include "tether_monitor/ros/alarm_text.h"
+#include "tether_monitor/ros/force_text.h"
 #include "tether_monitor/ros/geometry_conversions.h"
 
 namespace tether_monitor
@@ -114,6 +114,30 @@ Marker forceArrow(const std_msgs::Header& header, int id, const monitor::Config&
   return m;
 }
 
+// What the estimate is worth.
+std::string estimateText(const monitor::TetherEstimate& e)
+{
+  const std::string status = e.status == monitor::Status::OK ? "estimate valid" : describe(e.status);
+  return e.reason == monitor::Reason::NONE ? status : status + " " + describe(e.reason);
+}
+
+// What the tether is at, on a line of its own.
+std::string tensionText(const monitor::TetherEstimate& e)
+{
+  if (!e.has_stations)
+    return "";
+  if (!(e.max_tension > 0.0))
+    return "\nslack";
+  char share[60];
+  std::snprintf(share, sizeof(share), ", %.0f %% of working load, at %.3g m", 100.0 * e.working_utilisation,
+                e.max_tension_s);
+  std::string band;
+  if (std::isfinite(e.vessel_tension_stddev))
+    band = " +- " + forceText(e.vessel_tension_stddev);
+  return "\nlargest tension " + forceText(e.max_tension) + share + "\nvessel " + forceText(e.vessel_tension) +
+         band + ", vehicle " + forceText(e.vehicle_tension);
+}
+
 Marker statusText(const std_msgs::Header& header, const monitor::Config& config, const monitor::TetherEstimate& e,
                   const monitor::AlarmSet& alarms)
 {
@@ -126,21 +150,7 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   const double top =
       e.has_stations ? std::max(e.stations.position.front().z(), e.stations.position.back().z()) : 0.0;
   m.pose.position = pointMessage(core::Vector3(at.x(), at.y(), top + 0.15 * L));
-  char text[160];
-  if (e.has_stations)
-  {
-    char tension[80] = "slack";
-    if (e.max_tension > 0.0)
-      std::snprintf(tension, sizeof(tension), "largest tension %.3g N, %.0f %% of working load", e.max_tension,
-                    100.0 * e.working_utilisation);
-    const bool is_ok = e.status == monitor::Status::OK;
-    std::snprintf(text, sizeof(text), "%s%s%s   %s", is_ok ? "estimate valid" : describe(e.status),
-                  e.reason == monitor::Reason::NONE ? "" : " ",
-                  e.reason == monitor::Reason::NONE ? "" : describe(e.reason), tension);
-  }
-  else
-    std::snprintf(text, sizeof(text), "INVALID %s", describe(e.reason));
-  m.text = text;
+  m.text = estimateText(e) + tensionText(e);
   m.color = e.status == monitor::Status::OK ? colour(0.9, 0.95, 0.9) : colour(1.0, 0.8, 0.2);
   for (const monitor::Alarm& alarm : alarms.alarms())
     if (alarm.isAnnunciated())
