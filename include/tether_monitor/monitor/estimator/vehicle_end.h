@@ -89,8 +89,8 @@ class VehicleEnd
 
   /// Writes the vehicle, and what is uncertain, into an estimate whose tensions are known.
   virtual void describe(CableSimulation& /*simulation*/, TetherEstimate& /*estimate*/) const {}
-  /// What makes the numbers of such an estimate worthless at its time; NONE if nothing does. Its status and reasons
-  /// are still those of the last estimate.
+  /// What makes the numbers of such an estimate worthless at its time; NONE if nothing does. Its status and
+  /// reasons are still those of the last estimate.
   virtual Reason invalidReason(const TetherEstimate& /*estimate*/, const EndTargets& /*targets*/) const
   {
     return Reason::NONE;
