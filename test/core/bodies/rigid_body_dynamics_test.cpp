@@ -97,8 +97,8 @@ TEST_P(BodyTangent, IsTheDerivative)
   RigidBodyMotion at{
       0.0, Vector3(1, 2, floats ? 0.1 : -20.0), motion * random.vector(2.0), motion * random.vector(1.0), {}};
   AttitudeState& turned = at.attitude;
-  turned.orientation =
-      Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.vector(1.0).normalized()));
+  const Vector3 axis = random.vector(1.0).normalized();  // drawn in the same order by every compiler
+  turned.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), axis));
   turned.velocity = motion * random.vector(0.5);
   turned.acceleration = motion * random.vector(0.4);
   const Wrench thrust{random.vector(30.0), random.vector(5.0)};
