@@ -3,8 +3,8 @@
 
 Waves: it pays out and takes in as the vessel's end moves along the tether, which ~state has every cycle.
 Feedback: it pays out with the tension above its mean, at most `reference`, and takes in below.
-Forecast: while over-tension is probable it pays out towards the rate that the forecast recommends, gently: the
-forecast does not know that the winch follows the waves.
+Forecast: while over-tension is probable it pays out towards the rate that the forecast recommends, gently, and
+less as the drum runs empty: the forecast does not know that the winch follows the waves, which wants tether left.
 Flag: while over_tension is true, or has not come for half a second, it only takes in what the waves give.
 It goes back to its usual length when nothing else is wanted.
 
@@ -25,6 +25,8 @@ MEMORY = 40.0        # [s] of the means of tension and velocity
 LEAD = 0.1           # [s] from the motion to that of the drum, which is made up for
 PROBABLE = 0.3       # probability of over-tension that is acted on
 GENTLE = 6.0         # [s] in which the recommended rate is reached
+RESERVE = 30.0       # [m] short of the longest, kept for the waves: the forecast gets none of it
+TAPER = 60.0         # [m] before that, over which it gets less and less
 
 
 class WinchController:
@@ -92,6 +94,7 @@ class WinchController:
         waves = self.wave_rate(state)
         if waves is None:
             return
+        recommended *= min(max((self.longest - RESERVE - state.length) / TAPER, 0.0), 1.0)
         rate = (state.vessel_tension - min(self.mean_tension, self.reference)) / self.damping
         self.precaution += min(self.dt / GENTLE, 1.0) * (recommended - self.precaution)
         rate += max((self.usual_length - state.length) / self.return_time, self.precaution)

@@ -37,6 +37,7 @@ def main(build, prefix):
                               stderr=subprocess.STDOUT, universal_newlines=True, env=environment)
         print("%s: %s" % (name, "passed" if done.returncode == 0 else "FAILED\n" + done.stdout))
         failed += done.returncode != 0
+    shutil.rmtree(prefix)  # inside of the sources rosrun would find every program twice
     print("%d passed, %d failed" % (len(STEPS) - failed, failed))
     return 1 if failed else 0
 
