@@ -6,6 +6,11 @@
 
 namespace tether_monitor::bench
 {
+double tensionBias(const DrawnTruth& drawn, const monitor::Config& config)
+{
+  return drawn.draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
+}
+
 void forEachTruth(const std::function<UncertainCase(unsigned seed)>& of, int draws, unsigned first_seed,
                   int threads, bool is_as_told, const std::function<void(const DrawnTruth&)>& use)
 {

@@ -15,6 +15,9 @@ struct DrawnTruth
   Truth truth;
 };
 
+/// Bias that was drawn for the load cell of an estimator of this configuration [N].
+double tensionBias(const DrawnTruth& drawn, const monitor::Config& config);
+
 /**
  * Draws truths and hands each to `use`, in any order and from several threads at once. Truths without a steady
  * state, and those that get too taut to go on, are left out.

@@ -137,7 +137,7 @@ Trail observeDraw(const StudyOptions& options, const DrawnTruth& drawn)
   sensors.latency = options.latency;
   sensors.has_load_cell = options.has_load_cell;
   monitor::Config config = configFor(drawn.of, drawn.truth, sensors);
-  sensors.tension_bias = drawn.draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
+  sensors.tension_bias = tensionBias(drawn, config);
   sensors.tension_stddev = config.uncertainty.tension_stddev;
   config.elements = options.elements;
   config.rate = options.rate;

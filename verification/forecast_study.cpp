@@ -59,7 +59,7 @@ ScoredDive scoreDive(const Manoeuvre& manoeuvre, const DrawnTruth& drawn, bool h
   config.tether.breaking_load = 10.0 * limit;
   config.rate = 10.0;
   config.solver.step = 0.1;
-  sensors.tension_bias = drawn.draw.tension_bias * config.uncertainty.tension_bias * limit;
+  sensors.tension_bias = tensionBias(drawn, config);
   monitor::TetherForecaster forecaster(config);
   ScoredDive dive;
   double last = -PERIOD;

@@ -36,8 +36,7 @@ monitor::Identification identify(const DrawnTruth& drawn, bool has_load_cell)
   sensors.seed = drawn.seed;
   sensors.has_load_cell = has_load_cell;
   monitor::Config config = configFor(drawn.of, drawn.truth, sensors);
-  if (has_load_cell)
-    sensors.tension_bias = drawn.draw.tension_bias * config.uncertainty.tension_bias * config.tether.working_load;
+  sensors.tension_bias = tensionBias(drawn, config);
   const auto pass = [&](const monitor::Config& tried)
   {
     std::optional<std::vector<monitor::ParameterEstimate>> report;
@@ -59,19 +58,19 @@ void add(const monitor::Identification& found, const core::PropertyVariation& tr
   shares.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    const monitor::IdentifiedParameter* p = found.find(all[i].name);
+    const monitor::ParameterEstimate* p = found.find(all[i].name);
     if (!p)
       continue;
-    const double is = all[i].factor * p->estimate.configured + all[i].offset;
+    const double is = all[i].factor * p->configured + all[i].offset;
     const double unit = all[i].offset != 0.0 ? 1.0 : std::abs(is);
-    const double error = p->estimate.mean - is;
+    const double error = p->mean - is;
     IdentifiedShare& share = shares[i];
     share.name = all[i].name;
     ++share.truths;
-    share.within_95 += std::abs(error) <= 1.96 * p->estimate.stddev;
+    share.within_95 += std::abs(error) <= 1.96 * p->stddev;
     share.rms += std::pow(error / unit, 2);
-    share.configured_rms += std::pow((p->estimate.configured - is) / unit, 2);
-    share.stddev += p->estimate.stddev / unit;
+    share.configured_rms += std::pow((p->configured - is) / unit, 2);
+    share.stddev += p->stddev / unit;
   }
 }
 }  // namespace

@@ -34,21 +34,27 @@ replay::VehicleColumns columnsOf(monitor::VehicleMode mode)
   return replay::VehicleColumns::NONE;
 }
 
-// The files of a replay; nothing is made before the recording has been read.
-class Recorder
+void showProgress(double share)
 {
- public:
-  Recorder(const Results& results, const monitor::TetherEstimator& estimator)
-    : recorder_(results.folder, results.shape_rate, columnsOf(estimator.config().vehicle_mode))
-  {
-    if (results.forecast)
-      recorder_.addForecasts(estimator.config());
-  }
-  replay::ResultRecorder& operator*() { return recorder_; }
+  static int shown = -1;
+  const int percent = static_cast<int>(100.0 * share);
+  if (percent == shown)
+    return;
+  shown = percent;
+  std::fprintf(stderr, "\r[%-50.*s] %3d %%%s", 50, std::string(percent / 2, '#').c_str(), percent,
+               share >= 1.0 ? "\n" : "");
+}
 
- private:
-  replay::ResultRecorder recorder_;
-};
+// Makes the files of a replay, which `replay` fills.
+template <class Replay>
+void record(const Results& results, monitor::TetherEstimator& estimator, const Replay& replay)
+{
+  replay::ResultRecorder recorder(results.folder, results.shape_rate, columnsOf(estimator.config().vehicle_mode));
+  if (results.forecast)
+    recorder.addForecasts(estimator.config());
+  replay(recorder);
+  recorder.finish(estimator, isInterrupted());
+}
 
 void replayMotionFile(const std::string& path, const replay::ReplayOptions& options, const Results& results,
                       monitor::TetherEstimator& estimator)
@@ -60,34 +66,45 @@ void replayMotionFile(const std::string& path, const replay::ReplayOptions& opti
   std::optional<replay::RecordedMeasurements> measurements;
   if (are_measurements)
     measurements.emplace(table);
-  Recorder recorder(results, estimator);
-  if (measurements)
-    replay::replayMeasurements(*measurements, motion, options, estimator, *recorder);
-  else
-    replay::replayMotion(motion, options, estimator, *recorder);
-  (*recorder).finish(estimator, isInterrupted());
+  record(results, estimator,
+         [&](replay::ResultRecorder& recorder)
+         {
+           if (measurements)
+             replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
+           else
+             replay::replayMotion(motion, options, estimator, recorder);
+         });
 }
 }  // namespace
 
-std::vector<std::string> replayRecording(const Recording& recording, const replay::ReplayOptions& options,
-                                         const Results& results, monitor::TetherEstimator& estimator)
+void addOptions(CommandLine& line, Recording& recording, Results& results, bool& quiet)
 {
-  std::vector<std::string> warnings;
-  if (!recording.motion.empty())
-  {
-    replayMotionFile(recording.motion, options, results, estimator);
-    return warnings;
-  }
-  Recorder recorder(results, estimator);
-  warnings = replayBag(recording.bag, recording.ns, options, estimator, *recorder);
-  (*recorder).finish(estimator, isInterrupted());
-  return warnings;
+  namespace options = boost::program_options;
+  line.add()("bag", options::value(&recording.bag), "bag with vessel/pose, vehicle/pose and so on")(
+      "ns", options::value(&recording.ns), "namespace of the topics in the bag")(
+      "motion", options::value(&recording.motion),
+      "CSV file with the motion of both bodies, or measurements of it")(
+      "out", options::value(&results.folder)->required(), "folder for the results, made if needed")(
+      "quiet", options::bool_switch(&quiet), "no progress bar and no closing line");
 }
 
-void noteInterrupts()
+void checkRecording(const CommandLine& line, const Recording& recording)
+{
+  line.exclude("bag", "motion");
+  line.exclude("ns", "motion");
+  if (recording.bag.empty() && recording.motion.empty())
+    throw CommandLineError("--bag or --motion is required");
+}
+
+replay::ReplayOptions replayOptions(bool quiet)
 {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
+  replay::ReplayOptions options;
+  options.is_interrupted = isInterrupted;
+  if (!quiet && isatty(STDERR_FILENO))
+    options.progress = showProgress;
+  return options;
 }
 
 bool isInterrupted()
@@ -95,20 +112,17 @@ bool isInterrupted()
   return is_interrupted != 0;
 }
 
-bool isWatched()
+std::vector<std::string> replayRecording(const Recording& recording, const replay::ReplayOptions& options,
+                                         const Results& results, monitor::TetherEstimator& estimator)
 {
-  return isatty(STDERR_FILENO) != 0;
-}
-
-void showProgress(double share)
-{
-  static int shown = -1;
-  const int percent = static_cast<int>(100.0 * share);
-  if (percent == shown)
-    return;
-  shown = percent;
-  std::fprintf(stderr, "\r[%-50.*s] %3d %%%s", 50, std::string(percent / 2, '#').c_str(), percent,
-               share >= 1.0 ? "\n" : "");
+  std::vector<std::string> warnings;
+  if (!recording.motion.empty())
+    replayMotionFile(recording.motion, options, results, estimator);
+  else
+    record(results, estimator,
+           [&](replay::ResultRecorder& recorder)
+           { warnings = replayBag(recording.bag, recording.ns, options, estimator, recorder); });
+  return warnings;
 }
 
 }  // namespace tether_monitor::apps

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "tether_monitor/replay/csv_replay.h"
 
 namespace tether_monitor::apps
@@ -22,6 +23,17 @@ struct Results
   bool forecast = false;
 };
 
+/// Options of a program by which a recording is told; --out, where the results go, and --quiet with them.
+void addOptions(CommandLine& line, Recording& recording, Results& results, bool& quiet);
+/// @throws CommandLineError unless they tell one recording.
+void checkRecording(const CommandLine& line, const Recording& recording);
+
+/// For replays from the keyboard: an interrupt, or a request to end, ends them; progress as a bar on stderr,
+/// unless quiet or nobody looks at it.
+replay::ReplayOptions replayOptions(bool quiet);
+bool isInterrupted();
+constexpr int INTERRUPTED = 130;  ///< exit code, as the shell has it.
+
 /**
  * Runs an estimator over a recording and writes the files of a replay.
  *
@@ -30,14 +42,5 @@ struct Results
  */
 std::vector<std::string> replayRecording(const Recording& recording, const replay::ReplayOptions& options,
                                          const Results& results, monitor::TetherEstimator& estimator);
-
-/// From now on an interrupt from the keyboard, or a request to end, is only noted.
-void noteInterrupts();
-bool isInterrupted();
-constexpr int INTERRUPTED = 130;  ///< exit code, as the shell has it.
-
-/// Progress as a bar on stderr, if somebody looks at it. @param share  done [0, 1].
-void showProgress(double share);
-bool isWatched();
 
 }  // namespace tether_monitor::apps

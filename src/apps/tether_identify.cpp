@@ -24,11 +24,10 @@ struct Arguments
 void print(const monitor::Identification& found)
 {
   std::printf("%-24s %22s %22s\n", "", "configured", "identified");
-  for (const monitor::IdentifiedParameter& p : found.parameters)
+  for (const monitor::ParameterEstimate& e : found.parameters)
   {
-    const monitor::ParameterEstimate& e = p.estimate;
-    const char* remark = !p.isTold()                  ? "the record does not tell"
-                         : std::abs(p.surprise()) > 2 ? "far from what is configured"
+    const char* remark = !e.isTold()                  ? "the record does not tell"
+                         : std::abs(e.surprise()) > 2 ? "far from what is configured"
                                                       : "";
     std::printf("%-24s %10.4g +- %-8.3g %10.4g +- %-8.3g %s\n", e.name.c_str(), e.configured, e.configured_stddev,
                 e.mean, e.stddev, remark);
@@ -51,11 +50,7 @@ int identify(const Arguments& arguments)
   const monitor::Config config = params::loadConfigFile(arguments.config);
   if (config.vehicle_mode != monitor::VehicleMode::OBSERVED)
     throw std::runtime_error(arguments.config + ": vehicle.mode must be observed to identify a tether");
-  replay::ReplayOptions options;
-  options.is_interrupted = apps::isInterrupted;
-  apps::noteInterrupts();
-  if (!arguments.quiet && apps::isWatched())
-    options.progress = apps::showProgress;
+  const replay::ReplayOptions options = apps::replayOptions(arguments.quiet);
   bool length_is_counted = false;
   int pass = 0;
   const auto run = [&](const monitor::Config& tried) -> std::optional<std::vector<monitor::ParameterEstimate>>
@@ -96,19 +91,12 @@ int main(int argc, char** argv)
   Arguments a;
   line.add()("config", options::value(&a.config)->required(),
              "YAML file with the parameter tree of the node, mode observed")(
-      "bag", options::value(&a.recording.bag), "bag with vessel/pose, vehicle/pose and so on")(
-      "ns", options::value(&a.recording.ns), "namespace of the topics in the bag")(
-      "motion", options::value(&a.recording.motion), "CSV file with the measurements")(
-      "out", options::value(&a.results.folder)->required(), "folder for the results, made if needed")(
-      "passes", options::value(&a.passes)->default_value(a.passes), "over the record, at most")(
-      "quiet", options::bool_switch(&a.quiet), "no progress bar and no closing line");
+      "passes", options::value(&a.passes)->default_value(a.passes), "over the record, at most");
+  apps::addOptions(line, a.recording, a.results, a.quiet);
   return apps::runProgram("tether_identify", line, argc, argv,
                           [&]
                           {
-                            line.exclude("bag", "motion");
-                            line.exclude("ns", "motion");
-                            if (a.recording.bag.empty() && a.recording.motion.empty())
-                              throw apps::CommandLineError("--bag or --motion is required");
+                            apps::checkRecording(line, a.recording);
                             apps::checkPositive("passes", a.passes);
                             return identify(a);
                           });

@@ -27,13 +27,9 @@ void replay(const Arguments& arguments)
   for (const std::string& value : monitor::suspiciousValues(config))
     std::cerr << "warning: suspicious: " << value << "\n";
   monitor::TetherEstimator estimator(config);
-  replay::ReplayOptions options;
+  replay::ReplayOptions options = apps::replayOptions(arguments.quiet);
   options.parting = arguments.parting;
   options.rate = arguments.rate;
-  options.is_interrupted = apps::isInterrupted;
-  apps::noteInterrupts();
-  if (!arguments.quiet && apps::isWatched())
-    options.progress = apps::showProgress;
   for (const std::string& warning :
        apps::replayRecording(arguments.recording, options, arguments.results, estimator))
     std::cerr << "warning: " << apps::printable(warning) << "\n";
@@ -47,33 +43,25 @@ void replay(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   namespace options = boost::program_options;
-  using tether_monitor::apps::CommandLineError;
   tether_monitor::apps::CommandLine line(
       "tether_replay", "Runs the tether monitor over a recording as fast as it can; no ROS master is needed.");
   Arguments a;
   std::string parting;
-  line.add()("config", options::value(&a.config)->required(), "YAML file with the parameter tree of the node")(
-      "bag", options::value(&a.recording.bag), "bag with vessel/pose, vehicle/pose and so on")(
-      "ns", options::value(&a.recording.ns), "namespace of the topics in the bag")(
-      "motion", options::value(&a.recording.motion), "CSV file with the motion of both bodies")(
-      "out", options::value(&a.results.folder)->required(), "folder for the results, made if needed")(
-      "rate", options::value(&a.rate),
-      "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
+  line.add()("config", options::value(&a.config)->required(), "YAML file with the parameter tree of the node");
+  tether_monitor::apps::addOptions(line, a.recording, a.results, a.quiet);
+  line.add()("rate", options::value(&a.rate),
+             "rows of ends.csv per second (default: the rows of the motion; 20 for bags)")(
       "part-at", options::value(&parting),
       "T,S: the tether parts at time T [s], S metres from the vessel; with --motion, modes tracked and free")(
       "shape-rate", options::value(&a.results.shape_rate)->default_value(a.results.shape_rate),
       "shapes in shape.csv per second, 0 for none")(
       "forecast", options::bool_switch(&a.results.forecast),
-      "also forecast as the node does, into forecast.csv, and score that against what came, in summary.json")(
-      "quiet", options::bool_switch(&a.quiet), "no progress bar and no closing line");
+      "also forecast as the node does, into forecast.csv, and score that against what came, in summary.json");
   return tether_monitor::apps::runProgram(
       "tether_replay", line, argc, argv,
       [&]
       {
-        line.exclude("bag", "motion");
-        line.exclude("ns", "motion");
-        if (a.recording.bag.empty() && a.recording.motion.empty())
-          throw CommandLineError("--bag or --motion is required");
+        tether_monitor::apps::checkRecording(line, a.recording);
         line.exclude("part-at", "bag");
         if (line.has("part-at"))
         {

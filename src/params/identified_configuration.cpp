@@ -28,24 +28,24 @@ YAML::Node number(double x)
 
 void put(const monitor::Identification& found, const char* key, YAML::Node tether)
 {
-  const monitor::IdentifiedParameter* p = found.find(std::string("tether.") + key);
+  const monitor::ParameterEstimate* p = found.find(std::string("tether.") + key);
   if (!p || !p->isTold())
     return;
-  tether[key] = number(p->estimate.mean);
-  tether["uncertainty"][key] = number(p->estimate.stddev / p->estimate.mean);
+  tether[key] = number(p->mean);
+  tether["uncertainty"][key] = number(p->stddev / p->mean);
 }
 
 void putVehicleDrag(const monitor::Config& config, const monitor::Identification& found, YAML::Node root)
 {
-  const monitor::IdentifiedParameter* p = found.find("vehicle.drag");
+  const monitor::ParameterEstimate* p = found.find("vehicle.drag");
   if (!p || !p->isTold())
     return;
   YAML::Node areas(YAML::NodeType::Sequence);
   areas.SetStyle(YAML::EmitterStyle::Flow);
   for (int axis = 0; axis < 3; ++axis)
-    areas.push_back(number(config.vehicle_body.drag_area[axis] * p->estimate.mean));
+    areas.push_back(number(config.vehicle_body.drag_area[axis] * p->mean));
   root["vehicle"]["drag_area"] = areas;
-  root["vehicle"]["drag_stddev"] = number(p->estimate.stddev / p->estimate.mean);
+  root["vehicle"]["drag_stddev"] = number(p->stddev / p->mean);
 }
 }  // namespace
 
@@ -65,8 +65,8 @@ std::string identifiedConfiguration(const std::string& path, const monitor::Conf
     out << root;
     std::string head = "# Written by tether_identify: what a record told of tether and vehicle is in its place.\n";
     for (const char* axis : {"environment.current.x", "environment.current.y"})
-      if (const monitor::IdentifiedParameter* p = identification.find(axis))
-        head += std::string("# ") + axis + " was " + text(p->estimate.mean) + " +- " + text(p->estimate.stddev) +
+      if (const monitor::ParameterEstimate* p = identification.find(axis))
+        head += std::string("# ") + axis + " was " + text(p->mean) + " +- " + text(p->stddev) +
                 " m/s in that record; it is of the day, and stays as it was configured.\n";
     return head + out.c_str() + "\n";
   }

@@ -1,5 +1,6 @@
 #include "tether_monitor/monitor/ensemble/parameter_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tether_monitor::monitor
@@ -16,6 +17,13 @@ Moments momentsOf(const Eigen::RowVectorXd& x)
   return {x.mean(), std::sqrt(varianceOf(x))};
 }
 }  // namespace
+
+const ParameterEstimate* findParameter(const std::vector<ParameterEstimate>& parameters, const std::string& name)
+{
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const ParameterEstimate& p) { return p.name == name; });
+  return found == parameters.end() ? nullptr : &*found;
+}
 
 std::vector<ParameterEstimate> parameterReport(const TetherEnsemble& ensemble, const Config& config, double length,
                                                const core::Vector3& current)

@@ -10,13 +10,6 @@ namespace
 constexpr double SETTLED = 0.25;            // standard deviations that a pass may still change
 constexpr double FOULING_MEMORY = 36000.0;  // [s]: within a record it stays
 
-ParameterEstimate* find(std::vector<ParameterEstimate>& report, const char* name)
-{
-  const auto found =
-      std::find_if(report.begin(), report.end(), [&](const ParameterEstimate& p) { return p.name == name; });
-  return found == report.end() ? nullptr : &*found;
-}
-
 core::CurrentProfile shifted(const core::CurrentProfile& current, const core::Vector3& by)
 {
   if (current.samples().empty())
@@ -37,23 +30,21 @@ class Centre
   // Of a report about this centre: its factor on the vehicle's drag becomes one on what the user configured.
   void complete(std::vector<ParameterEstimate>& report) const
   {
-    ParameterEstimate* drag = find(report, VEHICLE_DRAG_NAME);
-    if (!drag)
-      return;
-    drag->mean *= vehicle_drag_;
-    drag->stddev *= vehicle_drag_;
-    drag->configured *= vehicle_drag_;
+    for (ParameterEstimate& p : report)
+      if (p.name == VEHICLE_DRAG_NAME)
+        for (double* of : {&p.mean, &p.stddev, &p.configured})
+          *of *= vehicle_drag_;
   }
-  void moveTo(std::vector<ParameterEstimate>& report)
+  void moveTo(const std::vector<ParameterEstimate>& report)
   {
     const auto factor = [&](const char* name)
     {
-      const ParameterEstimate* p = find(report, name);
+      const ParameterEstimate* p = findParameter(report, name);
       return p && p->configured > 0.0 ? p->mean / p->configured : 1.0;
     };
     const auto difference = [&](const char* name)
     {
-      const ParameterEstimate* p = find(report, name);
+      const ParameterEstimate* p = findParameter(report, name);
       return p ? p->mean - p->configured : 0.0;
     };
     config_.tether.drag_normal *= factor("tether.drag_normal");
@@ -94,18 +85,6 @@ bool areNear(const std::vector<ParameterEstimate>& a, const std::vector<Paramete
 }
 }  // namespace
 
-double IdentifiedParameter::surprise() const
-{
-  return (estimate.mean - estimate.configured) / estimate.configured_stddev;
-}
-
-const IdentifiedParameter* Identification::find(const std::string& name) const
-{
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const IdentifiedParameter& p) { return p.estimate.name == name; });
-  return found == parameters.end() ? nullptr : &*found;
-}
-
 Identification identify(const Config& config, const IdentificationPass& pass, int most_passes)
 {
   Identification result;
@@ -125,11 +104,11 @@ Identification identify(const Config& config, const IdentificationPass& pass, in
     centre.moveTo(*report);
     before = std::move(*report);
   }
-  for (std::size_t i = 0; i < before.size(); ++i)
+  result.parameters = std::move(before);
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    before[i].configured = first[i].configured;
-    before[i].configured_stddev = first[i].configured_stddev;
-    result.parameters.push_back({before[i]});
+    result.parameters[i].configured = first[i].configured;
+    result.parameters[i].configured_stddev = first[i].configured_stddev;
   }
   return result;
 }

@@ -43,10 +43,10 @@ TEST(Identification, CountsThePriorOnceHoweverManyPassesItTakes)
   for (const int passes : {1, 2, 5})
   {
     const Identification found = identify(observed(), measureOnce, passes);
-    const IdentifiedParameter* drag = found.find("tether.drag_normal");
+    const ParameterEstimate* drag = found.find("tether.drag_normal");
     ASSERT_TRUE(drag);
-    EXPECT_NEAR(drag->estimate.mean, answer, 1e-12) << passes << " passes";
-    EXPECT_EQ(drag->estimate.configured, 1.2);
+    EXPECT_NEAR(drag->mean, answer, 1e-12) << passes << " passes";
+    EXPECT_EQ(drag->configured, 1.2);
     EXPECT_TRUE(drag->isTold());
     EXPECT_NEAR(drag->surprise(), (answer - 1.2) / PRIOR, 1e-12);
   }
@@ -65,13 +65,13 @@ TEST(Identification, EndsWhenNothingChangesAndSaysWhatTheRecordDoesNotTell)
 // Its factor is one on the drag areas of the pass: what is said is one on those that the user configured.
 TEST(Identification, AFactorOnTheVehiclesDragIsAboutWhatIsConfigured)
 {
-  const IdentifiedParameter* drag = nullptr;
+  const ParameterEstimate* drag = nullptr;
   const Identification found = identify(observed(), measureOnce, 4);
   drag = found.find("vehicle.drag");
   ASSERT_TRUE(drag);
-  EXPECT_NEAR(drag->estimate.mean, 1.5, 0.01);
-  EXPECT_NEAR(drag->estimate.configured, 1.0, 1e-12);
-  EXPECT_NEAR(drag->estimate.stddev, 0.01, 1e-4);
+  EXPECT_NEAR(drag->mean, 1.5, 0.01);
+  EXPECT_NEAR(drag->configured, 1.0, 1e-12);
+  EXPECT_NEAR(drag->stddev, 0.01, 1e-4);
 }
 
 TEST(Identification, WithoutAnEstimateThereIsNone)

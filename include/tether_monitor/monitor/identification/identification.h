@@ -9,29 +9,15 @@
 
 namespace tether_monitor::monitor
 {
-/// What a record says of one parameter.
-struct IdentifiedParameter
-{
-  /// Of the standard deviation that was configured: what is left of it where a record says nothing.
-  static constexpr double NOT_TOLD = 0.8;
-
-  ParameterEstimate estimate;  ///< `configured` is what the user configured.
-
-  /// True if the record says more than was known before.
-  bool isTold() const { return estimate.stddev < NOT_TOLD * estimate.configured_stddev; }
-  /// Difference from what is configured, in standard deviations of what was known of it.
-  double surprise() const;
-};
-
 /// What a record says of the tether, its water and its vehicle.
 struct Identification
 {
-  std::vector<IdentifiedParameter> parameters;
+  std::vector<ParameterEstimate> parameters;  ///< `configured` is what the user configured.
   int passes = 0;
   bool has_settled = false;  ///< the last pass changed nothing by more than a quarter of a standard deviation.
 
   /// That of a name, "tether.drag_normal"; null if there is none.
-  const IdentifiedParameter* find(const std::string& name) const;
+  const ParameterEstimate* find(const std::string& name) const { return findParameter(parameters, name); }
 };
 
 /// Runs an estimator of a configuration over the record; what it believes at the end, or nothing if it never began
