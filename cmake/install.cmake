@@ -23,7 +23,10 @@ install(EXPORT tether_monitor_targets NAMESPACE tether_monitor:: FILE tether_mon
   DESTINATION ${share_folder}/cmake)
 install(TARGETS tether_identify tether_replay tether_steady RUNTIME DESTINATION ${bin_folder})
 install(PROGRAMS scripts/tether_report DESTINATION ${bin_folder})
-install(DIRECTORY config launch report rviz DESTINATION ${share_folder})
+if(WITH_ROS)
+  install(PROGRAMS scripts/tether_web DESTINATION ${bin_folder})
+endif()
+install(DIRECTORY config launch report rviz web DESTINATION ${share_folder})
 
 if(NOT WITH_ROS)
   include(CMakePackageConfigHelpers)

@@ -31,6 +31,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/header_check.cpp
   src/ros/input_adapter.cpp
   src/ros/input_statistics.cpp
+  src/ros/recent_fixes.cpp
   src/ros/input_topics.cpp
   src/ros/markers.cpp
   src/ros/master_watch.cpp

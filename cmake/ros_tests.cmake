@@ -5,7 +5,7 @@ find_package(roslaunch REQUIRED)
 roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 
 foreach(unit cycle_statistics force_text forecast_thread geometry_conversions input_adapter input_statistics input_topics markers message_bounds message_conversions
-        sensor_input_adapter standard_outputs
+        recent_fixes sensor_input_adapter standard_outputs
         state_keeper time_conversion transform_input)
   add_unit_test(test/ros/unit/${unit}_test.cpp)
   target_link_libraries(ros_unit_${unit}_test tether_monitor_ros)
@@ -28,7 +28,7 @@ add_test(NAME report COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/report.
 add_test(NAME tutorials COMMAND ${CATKIN_ENV} /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/tutorials.py)
 add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)
 
-foreach(script bad_parameters closed_loops sim_scenarios stacks tools)
+foreach(script bad_parameters closed_loops operator_page sim_scenarios stacks tools)
   add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_sim_node tether_identify tether_replay tether_steady)
 endforeach()
 # Two nodes ten times as fast as in life want the machine for themselves.

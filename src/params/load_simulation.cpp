@@ -116,6 +116,7 @@ SimulationConfig loadSimulation(const Value& tree, const std::string& where)
   config.seed = static_cast<unsigned>(in.integer("seed", static_cast<int>(config.seed)));
   config.clock = in.boolean("clock", config.clock);
   config.speed = in.number("speed", config.speed);
+  config.lockstep = in.boolean("lockstep", config.lockstep);
   in.finish();
   if (root.errors().empty())
     root.addErrors(simulation::validate(config));

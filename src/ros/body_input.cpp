@@ -15,8 +15,8 @@ void specify(const BodyInput::Source& source, Measurement& measured)
 }  // namespace
 
 BodyInput::BodyInput(monitor::TetherEstimator& estimator, const HeaderCheck& headers, const SensorMounts& mounts,
-                     const TimeOrigin& time)
-  : estimator_(estimator), headers_(headers), mounts_(mounts), time_(time)
+                     const TimeOrigin& time, RecentFixes& fixes)
+  : estimator_(estimator), headers_(headers), mounts_(mounts), time_(time), fixes_(fixes)
 {
 }
 
@@ -39,7 +39,15 @@ Result BodyInput::give(Body body, const monitor::PoseMeasurement& pose, const So
 {
   monitor::PoseMeasurement own = pose;
   specify(source, own.position);
-  return errorOf(body == Body::VESSEL ? estimator_.addVessel(own) : estimator_.addVehicle(own));
+  const Result error = errorOf(body == Body::VESSEL ? estimator_.addVessel(own) : estimator_.addVehicle(own));
+  note(body, own, error);
+  return error;
+}
+
+void BodyInput::note(Body body, const monitor::PoseMeasurement& pose, const Result& error)
+{
+  if (body == Body::VEHICLE && !error)
+    fixes_.add(pose);
 }
 
 Result BodyInput::give(Body body, const monitor::TwistMeasurement& rates, const Source& source)
@@ -54,7 +62,10 @@ Result BodyInput::give(Body body, const monitor::PoseMeasurement& pose, const mo
 {
   monitor::PoseMeasurement own = pose;
   specify(source, own.position);
-  return errorOf(body == Body::VESSEL ? estimator_.addVessel(own, rates) : estimator_.addVehicle(own, rates));
+  const Result error =
+      errorOf(body == Body::VESSEL ? estimator_.addVessel(own, rates) : estimator_.addVehicle(own, rates));
+  note(body, own, error);
+  return error;
 }
 
 // From the reference point of a body to a sensor on it, world axes [m].

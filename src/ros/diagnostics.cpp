@@ -144,6 +144,9 @@ void diagnoseInput(const std::string& topic, const InputStatistics& input,
                 input.rate(), input.offset().mean, input.offset().least, input.offset().most);
   else
     status.addf("Input " + topic, "%ld, %.3g Hz", input.count(), input.rate());
+  if (input.withoutTime() > 0)
+    status.addf("Passed over on " + topic, "%ld without a stamp, in the same instant as the one before",
+                input.withoutTime());
 }
 }  // namespace
 

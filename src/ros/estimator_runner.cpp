@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/message_conversions.h"
 #include "tether_monitor/ros/transform_input.h"
 
@@ -100,7 +101,8 @@ void EstimatorRunner::takeMessage(const ReceivedMessage& received)
               return;
             }
             ensureTimeBase(now);
-            noteStatistics(received);
+            if (!noteStatistics(received))
+              return;
             acceptEarly(now);
             const InputMessage& message = received.message;
             const double ahead = message.stamp ? secondsBetween(*message.stamp, now) : 0.0;
@@ -132,7 +134,8 @@ void EstimatorRunner::acceptEarly(const ros::Time& now)
   early_.erase(early_.begin(), later);
 }
 
-void EstimatorRunner::noteStatistics(const ReceivedMessage& received)
+// Whether the message has a time of its own.
+bool EstimatorRunner::noteStatistics(const ReceivedMessage& received)
 {
   const InputTopic& topic = *received.source->topic;
   const double t = time_.seconds(received.received);
@@ -144,6 +147,7 @@ void EstimatorRunner::noteStatistics(const ReceivedMessage& received)
     estimator_.noteImplausible(
         topic.stream == InputStream::VESSEL ? monitor::Subject::VESSEL : monitor::Subject::VEHICLE,
         monitor::Implausibility::TWO_SOURCES, t);
+  return !statistics.isWithoutTime(t, offset);
 }
 
 void EstimatorRunner::ensureTimeBase(const ros::Time& now)
@@ -178,6 +182,12 @@ bool EstimatorRunner::restore(const ros::Time& now)
   ROS_INFO("kept state of %.1f s ago: %s", age, is_young ? "going on from it" : "its alarms only");
   time_ = state.time;
   return true;
+}
+
+visualization_msgs::MarkerArray EstimatorRunner::picture(const std_msgs::Header& header)
+{
+  const std::lock_guard<PriorityMutex> lock(mutex_);
+  return markers(header, estimator_, adapter_.fixes());
 }
 
 std::optional<KeptState> EstimatorRunner::keep()

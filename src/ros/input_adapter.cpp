@@ -30,8 +30,8 @@ InputAdapter::InputAdapter(monitor::TetherEstimator& estimator, const tf2::Buffe
   : estimator_(estimator),
     mounts_(transforms),
     headers_(estimator, transforms, mounts_, time_),
-    motion_(estimator, headers_, mounts_, time_),
-    sensors_(estimator, headers_, mounts_, time_)
+    motion_(estimator, headers_, mounts_, time_, fixes_),
+    sensors_(estimator, headers_, mounts_, time_, fixes_)
 {
 }
 

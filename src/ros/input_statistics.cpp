@@ -33,6 +33,14 @@ void InputStatistics::add(double t, double offset, const std::string& publisher)
   window_.most = std::max(window_.most, offset);
 }
 
+bool InputStatistics::isWithoutTime(double t, double offset)
+{
+  const bool is_without = std::isnan(offset) && t == last_received_;
+  last_received_ = t;
+  without_time_ += is_without;
+  return is_without;
+}
+
 std::vector<std::string> InputStatistics::publishers(double t) const
 {
   std::vector<std::string> names;

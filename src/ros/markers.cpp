@@ -19,6 +19,7 @@ constexpr double LINE_WIDTH = 0.006;
 constexpr double ARROW_LENGTH = 0.25;  // of a force as large as the working load
 constexpr double TEXT_HEIGHT = 0.04;
 constexpr int TUBE_SIDES = 8;
+constexpr double FIX_WIDTH = 0.05;         // [m]
 constexpr double OBSTACLE_LIFETIME = 2.0;  // [s]
 constexpr int SEABED_CELLS = 16;           // along each side of the patch
 
@@ -218,6 +219,30 @@ Marker seabedPatch(const std_msgs::Header& header, const monitor::TetherEstimato
         m.points.push_back(pointMessage(corner(i + di, j + dj)));
   return m;
 }
+// A height that was not measured is that of the vehicle now.
+Marker fixCrosses(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,
+                  const RecentFixes& fixes)
+{
+  Marker m = blank(header, "fixes", 0, Marker::LINE_LIST);
+  const monitor::TetherEstimate& e = estimator.estimate();
+  if (e.has_stations && estimator.config().vehicle_mode == monitor::VehicleMode::OBSERVED)
+    fixes.forEach(
+        e.time,
+        [&](const RecentFixes::Fix& fix)
+        {
+          core::Vector3 place = fix.place;
+          if (std::isnan(place.z()))
+            place.z() = e.vehicle.position.z();
+          for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {-1.0, 1.0})
+              m.points.push_back(pointMessage(place + side * fix.stddev[axis] * core::Vector3::Unit(axis)));
+        });
+  if (m.points.empty())
+    m.action = Marker::DELETE;
+  m.scale.x = FIX_WIDTH;
+  m.color = colour(0.3, 0.9, 0.6);
+  return m;
+}
 }  // namespace
 
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
@@ -229,7 +254,8 @@ std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
   return colour(0.95, 0.85 * (1.0 - past), 0.1);
 }
 
-visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator)
+visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,
+                                        const RecentFixes& fixes)
 {
   const monitor::Config& config = estimator.config();
   const monitor::TetherEstimate& e = estimator.estimate();
@@ -240,6 +266,7 @@ visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const mo
   array.markers.push_back(forceArrow(header, 0, config, e, ends.vessel, e.stations.position.front()));
   array.markers.push_back(forceArrow(header, 1, config, e, ends.vehicle, e.stations.position.back()));
   array.markers.push_back(statusText(header, config, e, estimator.alarms()));
+  array.markers.push_back(fixCrosses(header, estimator, fixes));
   const std::vector<core::Obstacle>& obstacles = estimator.simulation().model.environment().obstacles();
   for (std::size_t k = 0; k < obstacles.size(); ++k)
     array.markers.push_back(obstacleBody(header, static_cast<int>(k), estimator));

@@ -5,7 +5,6 @@
 
 #include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
-#include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/parameter_server.h"
 
 namespace tether_monitor
@@ -38,11 +37,7 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     updater_(nh, private_nh, private_nh.getNamespace()),
     publisher_(nh, private_nh, runner_.config(), runner_.config().vehicle_mode == monitor::VehicleMode::OBSERVED,
                runner_.config().vehicle_mode != monitor::VehicleMode::TRACKED,
-               [this](const std_msgs::Header& header)
-               {
-                 return runner_.access([&](const monitor::TetherEstimator& estimator, const DiagnosticInputs&)
-                                       { return markers(header, estimator); });
-               }),
+               [this](const std_msgs::Header& header) { return runner_.picture(header); }),
     publishing_(publisher_),
     forecast_(private_nh, runner_.config()),
     cycles_(1.0 / runner_.config().rate, ros::Time::isSimTime(), runner_.config().runtime,

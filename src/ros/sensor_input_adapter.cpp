@@ -42,8 +42,8 @@ const Eigen::Quaterniond NORTH_EAST_DOWN_TO_EAST_NORTH_UP(0.0, std::sqrt(0.5), s
 }  // namespace
 
 SensorInputAdapter::SensorInputAdapter(monitor::TetherEstimator& estimator, const HeaderCheck& headers,
-                                       const SensorMounts& mounts, const TimeOrigin& time)
-  : BodyInput(estimator, headers, mounts, time)
+                                       const SensorMounts& mounts, const TimeOrigin& time, RecentFixes& fixes)
+  : BodyInput(estimator, headers, mounts, time, fixes)
 {
   if (estimator.config().inputs.datum)
     datum_.emplace(*estimator.config().inputs.datum);

@@ -7,6 +7,7 @@
 #include <std_msgs/Float64.h>
 #include <tether_monitor/ObstacleArray.h>
 #include <tether_monitor/Payout.h>
+#include <tether_monitor/TetherState.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -25,6 +26,8 @@ constexpr double CONNECTING = 1.0;  // [s], wall clock: what is published before
 constexpr int QUEUE = 20;
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
 constexpr double COMMAND_LIFE = 1.0;     // [s]
+constexpr double LONGEST_WAIT = 1.0;     // [s], wall clock, for a monitor that says nothing
+constexpr double LONGEST_ANSWER = 0.25;  // [s], of simulated time, from a measurement to a command
 
 visualization_msgs::Marker box(const std_msgs::Header& header, int id, const monitor::BodyState& body,
                                const core::Vector3& centre, const core::Vector3& size)
@@ -125,9 +128,30 @@ void SimulatorNode::subscribeToCommands()
       const core::Wrench thrust{vector(message.force), vector(message.torque)};
       if (thrust.force.allFinite() && thrust.torque.allFinite())
         simulator_.commandThrust(thrust);
+      thrust_commanded_at_ = time_;
     };
     thrust_command_ = nh_.subscribe<geometry_msgs::Wrench>("vehicle/command", 1, obey);
   }
+  if (plan_.lockstep)
+  {
+    const boost::function<void(const TetherState&)> note = [this](const TetherState& state)
+    { monitored_ = (state.header.stamp - start_).toSec(); };
+    monitor_state_ =
+        nh_.subscribe<TetherState>("tether_monitor/state", 1, note, {}, ros::TransportHints().tcpNoDelay());
+  }
+}
+
+// In lockstep: until the monitor, and who has begun to command, have answered.
+bool SimulatorNode::mustWait()
+{
+  const auto isLate = [this](double commanded_at)
+  { return commanded_at >= 0.0 && time_ - commanded_at > LONGEST_ANSWER; };
+  const bool waits = plan_.lockstep && (time_ - monitored_ > 2.0 / config_.rate + 1e-3 ||
+                                        isLate(winch_commanded_at_) || isLate(thrust_commanded_at_));
+  const ros::WallTime now = ros::WallTime::now();
+  if (!waits || waits_since_.isZero())
+    waits_since_ = waits ? now : ros::WallTime();
+  return waits && (now - waits_since_).toSec() < LONGEST_WAIT;
 }
 
 // A winch whose controller is gone stops.
@@ -161,6 +185,8 @@ void SimulatorNode::tick()
       begin(now);
     return;
   }
+  if (mustWait())
+    return;
   // The timer may skip or bunch ticks; the simulation keeps its own even pace.
   const double now = plan_.clock ? time_ + period_ : (ros::Time::now() - start_).toSec();
   for (; time_ + period_ <= now + 1e-6; time_ += period_)

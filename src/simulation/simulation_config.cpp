@@ -66,6 +66,7 @@ std::vector<std::string> validate(const SimulationConfig& c)
   check.within("payout_rate", c.payout_rate, 0.0, 1000.0, "Hz");
   check.notNegative("payout_stddev", c.payout_stddev, "m");
   check.within("speed", c.speed, 0.01, 1000.0, "[-]");
+  check.check(c.clock || !c.lockstep, "lockstep", c.lockstep, "false without clock: true");
   for (std::size_t i = 0; i < c.winch.size(); ++i)
   {
     const std::string name = "winch[" + std::to_string(i) + "].";

@@ -107,7 +107,7 @@ TEST(Alarms, LifeForAnOperator)
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
   strain(scenario);
   ASSERT_TRUE(scenario.over_tension);
-  ASSERT_TRUE(scenario.waitFor([&] { return events.last("over_tension") != nullptr; }, 2.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return events.last("over_tension") != nullptr; }, 10.0));
   const AlarmEvent raised = *events.last("over_tension");
   EXPECT_EQ(raised.from, Alarm::NORMAL);
   EXPECT_EQ(raised.to, Alarm::UNACKNOWLEDGED);
@@ -134,7 +134,7 @@ TEST(Alarms, LifeForAnOperator)
   scenario.run(0.2);
   EXPECT_EQ(scenario.alarm("over_tension")->state, Alarm::NORMAL);
   EXPECT_GT(scenario.alarm("over_tension")->peak, 1.0);
-  ASSERT_TRUE(scenario.waitFor([&] { return events.last("over_tension")->to == Alarm::NORMAL; }, 2.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return events.last("over_tension")->to == Alarm::NORMAL; }, 10.0));
 
   const std::vector<AlarmEvent> log = logAfter(0);
   for (std::size_t i = 0; i < log.size(); ++i)

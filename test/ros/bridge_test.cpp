@@ -30,7 +30,7 @@ TEST(Bridge, ASimulatorIsGivenTheForcesAndZerosWithoutAnEstimate)
   RosTestBench scenario;
   scenario.run(2.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
-  ASSERT_TRUE(scenario.waitFor([&] { return own.count > 10 && body.count > 10; }, 2.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return own.count > 10 && body.count > 10; }, 10.0));
   EXPECT_NEAR(sizeOf(vessel.value.force), scenario.state.vessel_tension, 1e-6 * scenario.state.vessel_tension);
   EXPECT_NEAR(vehicle.value.force.x, end.value.wrench.force.x, 1e-9);
   EXPECT_NEAR(vehicle.value.force.z, end.value.wrench.force.z, 1e-9);
@@ -42,7 +42,7 @@ TEST(Bridge, ASimulatorIsGivenTheForcesAndZerosWithoutAnEstimate)
   scenario.vessel_alive = scenario.vehicle_alive = false;
   scenario.run(8.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_INVALID) << "precondition";
-  ASSERT_TRUE(scenario.waitFor([&] { return sizeOf(vehicle.value.force) == 0.0; }, 2.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return sizeOf(vehicle.value.force) == 0.0; }, 10.0));
   EXPECT_EQ(sizeOf(vessel.value.force), 0.0);
   EXPECT_EQ(sizeOf(body.value.force), 0.0);
   EXPECT_TRUE(std::isnan(own.value.wrench.force.x));
@@ -56,7 +56,7 @@ TEST(Bridge, TheTetherComesInStandardMessagesToo)
   RosTestBench scenario;
   scenario.run(2.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
-  ASSERT_TRUE(scenario.waitFor([&] { return path.count > 10 && vessel.count > 10 && frames.count > 10; }, 2.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return path.count > 10 && vessel.count > 10 && frames.count > 10; }, 10.0));
   const std::vector<geometry_msgs::Point>& shape = scenario.state.position;
   ASSERT_EQ(path.value.poses.size(), shape.size());
   EXPECT_EQ(path.value.header.frame_id, "map");

@@ -15,7 +15,7 @@ import common.old_rospy  # noqa: F401
 from common.nodes import run_until, start
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
-SPEED = 5.0      # simulated seconds per second
+SPEED = 5.0      # simulated seconds per second, at most
 LONGEST = 400.0  # [s], of the machine's clock, for a run
 
 
@@ -29,7 +29,7 @@ class Run:
     def __init__(self, ns, scenario, simulated, controller, parameters):
         with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
             self.tree = yaml.safe_load(text)
-        self.tree["simulation"].update(clock=True, speed=SPEED)
+        self.tree["simulation"].update(clock=True, lockstep=True, speed=SPEED)
         self.ns, self.lock = "/" + ns, threading.Lock()
         self.tension, self.places, self.states, self.events = [], [], [], []
         for node in ("tether_sim", "tether_monitor"):

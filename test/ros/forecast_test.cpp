@@ -43,7 +43,7 @@ TEST(Forecast, ComesBeforeTheAlarm)
 
   scenario.run(12.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_OK) << "precondition";
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.count > 0 && forecasts.value.members > 0; }, 5.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.count > 0 && forecasts.value.members > 0; }, 10.0));
   EXPECT_EQ(forecasts.value.probability_over_tension, 0.0);
   EXPECT_EQ(forecasts.value.time.size(), forecasts.value.max_tension_p95.size());
   EXPECT_EQ(forecasts.value.horizon, 30.0);
@@ -77,7 +77,7 @@ TEST(Forecast, WhatIfThereWereMoreTether)
   scenario.run(12.0);
   scenario.vehicle_velocity = {0.4, 0.0, -0.25};
   scenario.run(7.0);
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.probability_over_tension > 0.5; }, 5.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.probability_over_tension > 0.5; }, 10.0));
   WhatIf as_now = asItIs(), paying_out = asItIs(), foolish = asItIs();
   paying_out.request.payout_rate = 1.0;
   const ros::WallTime began = ros::WallTime::now();
@@ -99,11 +99,11 @@ TEST(Forecast, AnInvalidEstimateHasNone)
   RosTestBench scenario;
   LastMessage<TetherForecast> forecasts(FORECAST);
   scenario.run(12.0);
-  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.members > 0; }, 5.0));
+  ASSERT_TRUE(scenario.waitFor([&] { return forecasts.value.members > 0; }, 10.0));
   scenario.vehicle_alive = false;
   scenario.run(8.0);
   ASSERT_EQ(scenario.state.status, TetherState::STATUS_INVALID) << "precondition";
-  EXPECT_TRUE(scenario.waitFor([&] { return forecasts.value.members == 0; }, 3.0));
+  EXPECT_TRUE(scenario.waitFor([&] { return forecasts.value.members == 0; }, 10.0));
   EXPECT_TRUE(forecasts.value.time.empty());
   EXPECT_TRUE(std::isnan(forecasts.value.probability_over_tension));
 }

@@ -120,7 +120,7 @@ class Campaign
   {
     const long words = words_;
     setClock();
-    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(0.5);
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(2.0);
     while (ros::WallTime::now() < end)
     {
       ros::spinOnce();

@@ -29,7 +29,7 @@ TEST(OverTension, HysteresisLatchAndAcknowledge)
   EXPECT_GE(scenario.time - past_limit_since, 0.2 - 1e-6) << "on_delay";
   EXPECT_LE(scenario.time - past_limit_since, 0.3 + 1e-6);
   ASSERT_TRUE(
-      scenario.waitFor([&] { return scenario.alarm("over_tension")->state == Alarm::UNACKNOWLEDGED; }, 2.0));
+      scenario.waitFor([&] { return scenario.alarm("over_tension")->state == Alarm::UNACKNOWLEDGED; }, 10.0));
   EXPECT_EQ(scenario.alarm("over_tension")->severity, Alarm::ALARM);
   EXPECT_GT(scenario.alarm("over_tension")->value, 1.0);
   EXPECT_EQ(scenario.alarm("over_tension")->limit, 1.0);

@@ -24,12 +24,12 @@ def size(wrench):
 
 
 class SimScenarios(unittest.TestCase):
-    """Each test runs simulation and monitor in a namespace of its own, ten times as fast as real time."""
+    """Each test runs simulation and monitor in a namespace of its own, up to ten times as fast as real time."""
 
     def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0, bound=0.05, good=0.95):
         with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
             tree = yaml.safe_load(text)
-        tree["simulation"].update(clock=True, speed=10.0)
+        tree["simulation"].update(clock=True, lockstep=True, speed=10.0)
         change(tree)
         ns = "/" + scenario
         for node in ("tether_sim", "tether_monitor"):
@@ -59,7 +59,7 @@ class SimScenarios(unittest.TestCase):
                 return states and states[-1].header.stamp.to_sec() > simulated
 
         nodes = start(ns[1:], "tether_monitor_node __name:=tether_monitor", "tether_sim_node __name:=tether_sim")
-        alive = run_until(nodes, is_over, 60.0)
+        alive = run_until(nodes, is_over, 240.0)
         for subscriber in subscribers:
             subscriber.unregister()
         self.assertEqual(alive, [True, True], "a node ended early")
@@ -99,8 +99,7 @@ class SimScenarios(unittest.TestCase):
         self.assertGreater(states[-1].length, 240.0)
 
     def test_acoustic_navigation(self):
-        # How good it is, simulation_test says, AcousticNavigation.*: there no message is late by chance. Here the two
-        # nodes run four times as fast as in life, on whatever machine, and have to get along.
+        # How good it is, simulation_test says, AcousticNavigation.*. Here the two nodes have to get along.
         def lighter(tree):
             tree["simulation"]["speed"] = 4.0
             tree["solver"] = dict(tree.get("solver", {}), members=64)

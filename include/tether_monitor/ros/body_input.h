@@ -7,6 +7,7 @@
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/header_check.h"
+#include "tether_monitor/ros/recent_fixes.h"
 #include "tether_monitor/ros/sensor_mounts.h"
 #include "tether_monitor/ros/time_conversion.h"
 
@@ -29,9 +30,9 @@ enum class Body
 class BodyInput
 {
  public:
-  /// All must outlive this object.
+  /// All must outlive this object. @param fixes  gets the positions of the vehicle that are taken.
   BodyInput(monitor::TetherEstimator& estimator, const HeaderCheck& headers, const SensorMounts& mounts,
-            const TimeOrigin& time);
+            const TimeOrigin& time, RecentFixes& fixes);
 
   using Result = std::optional<InputError>;
   using Source = monitor::SourceConfig;
@@ -57,10 +58,13 @@ class BodyInput
               const Source& source);
 
  private:
+  void note(Body body, const monitor::PoseMeasurement& pose, const Result& error);
+
   monitor::TetherEstimator& estimator_;
   const HeaderCheck& headers_;
   const SensorMounts& mounts_;
   const TimeOrigin& time_;
+  RecentFixes& fixes_;
 };
 
 }  // namespace tether_monitor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tf2/buffer_core.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <mutex>
 #include <optional>
@@ -44,6 +45,8 @@ class EstimatorRunner
     const std::lock_guard<PriorityMutex> lock(mutex_);
     return use(estimator_, diagnostics_);
   }
+  /// What is seen of the estimate of the moment.
+  visualization_msgs::MarkerArray picture(const std_msgs::Header& header);
   /// Nothing that is not a state to keep yet. Allocates.
   std::optional<KeptState> keep();
   /// Of the configuration, which never changes.
@@ -59,7 +62,7 @@ class EstimatorRunner
   void takeMessage(const ReceivedMessage& received);
   void accept(const std::string& topic, const InputMessage& message, const ros::Time& now);
   void acceptEarly(const ros::Time& now);
-  void noteStatistics(const ReceivedMessage& received);
+  bool noteStatistics(const ReceivedMessage& received);
   void noteRefusal(const std::string& topic, const InputError& why);
   void ensureTimeBase(const ros::Time& now);
   bool restore(const ros::Time& now);

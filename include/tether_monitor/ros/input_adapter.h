@@ -46,6 +46,8 @@ class InputAdapter
 
   /// Sets the epoch of the input clock; before the first message.
   void setTimeBase(const TimeOrigin& base) { time_ = base; }
+  /// Of the vehicle, for those who look at them.
+  const RecentFixes& fixes() const { return fixes_; }
 
   /// Of the motion of a body: what MotionInputAdapter or SensorInputAdapter takes.
   template <typename Message>
@@ -99,6 +101,7 @@ class InputAdapter
   TimeOrigin time_;
   SensorMounts mounts_;
   HeaderCheck headers_;
+  RecentFixes fixes_;
   MotionInputAdapter motion_;
   SensorInputAdapter sensors_;
 };

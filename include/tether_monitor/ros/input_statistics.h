@@ -23,7 +23,14 @@ class InputStatistics
   /// The clock has started again.
   void clear() { *this = InputStatistics(); }
 
+  /**
+   * Whether a message received at time t has no time of its own: it has no stamp, and came in the same instant as
+   * the one before it, as a burst does where time is simulated. Counts those that were.
+   */
+  bool isWithoutTime(double t, double offset);
+
   long count() const { return count_; }
+  long withoutTime() const { return without_time_; }
   /// Messages a second over the last complete window [1/s]; 0 before.
   double rate() const { return rate_; }
   /// Of the last complete window; hasOffset() must hold.
@@ -44,7 +51,8 @@ class InputStatistics
   static constexpr std::size_t MOST_PUBLISHERS = 8;
 
   Window window_;
-  long count_ = 0;
+  long count_ = 0, without_time_ = 0;
+  double last_received_ = std::numeric_limits<double>::quiet_NaN();  // [s]
   double rate_ = 0.0;
   Offset offset_;
   bool has_offset_ = false;

@@ -4,6 +4,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
+#include "tether_monitor/ros/recent_fixes.h"
 
 namespace tether_monitor
 {
@@ -13,9 +14,11 @@ std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
 /**
  * The picture of an estimate: the tether coloured by utilisation of its sections ("tether"), the end forces
  * ("force"), a line of text for status and alarms ("status"), obstacles ("obstacle", id their number) and the
- * seabed under the tether ("seabed"). Namespaces and ids never change; while INVALID tether and forces are
- * deleted.
+ * seabed under the tether ("seabed"), and in mode observed the measured positions of the vehicle ("fixes"): of
+ * each three lines along x, y and z, one standard deviation to either side. Namespaces and ids never change; while
+ * INVALID tether and forces are deleted.
  */
-visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator);
+visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,
+                                        const RecentFixes& fixes);
 
 }  // namespace tether_monitor

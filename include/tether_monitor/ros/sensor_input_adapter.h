@@ -19,7 +19,7 @@ class SensorInputAdapter : public BodyInput
 {
  public:
   SensorInputAdapter(monitor::TetherEstimator& estimator, const HeaderCheck& headers, const SensorMounts& mounts,
-                     const TimeOrigin& time);
+                     const TimeOrigin& time, RecentFixes& fixes);
 
   /// Of the antenna; needs `datum`. Its height counts if that has an altitude.
   Result take(Body body, const sensor_msgs::NavSatFix& message, const ros::Time& now, const Source& source);

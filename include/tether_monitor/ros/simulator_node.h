@@ -21,7 +21,7 @@ namespace tether_monitor
  * forces of the tether on its ends, and markers: hull and vehicle. Frames NS/vessel and NS/vehicle on /tf. With
  * `simulation.clock` also /clock. **Subscribes** (relative): winch/command (std_msgs/Float64, pay-out rate in m/s;
  * a command is good for a second) with `simulation.winch_command`, vehicle/command (geometry_msgs/Wrench, own
- * axes) with the control `external`.
+ * axes) with the control `external`, tether_monitor/state with `simulation.lockstep`.
  */
 class SimulatorNode
 {
@@ -51,6 +51,7 @@ class SimulatorNode
   void publishTruth();
   void subscribeToCommands();
   void dropOldCommands();
+  bool mustWait();
   ros::Time stamp(double t) const { return start_ + ros::Duration(t); }
 
   ros::NodeHandle nh_, private_nh_;
@@ -65,8 +66,11 @@ class SimulatorNode
   ros::Publisher vessel_pose_, vessel_velocity_, vehicle_pose_, vehicle_velocity_, payout_, obstacles_, thrust_;
   ros::Publisher vessel_odometry_;
   ros::Publisher vessel_force_, vehicle_force_, markers_, clock_;
-  ros::Subscriber winch_command_, thrust_command_;
-  double winch_commanded_at_ = -1e300;  // [s]
+  ros::Subscriber winch_command_, thrust_command_, monitor_state_;
+  double winch_commanded_at_ = -1e300;   // [s]
+  double thrust_commanded_at_ = -1e300;  // [s]
+  double monitored_ = 0.0;               // [s], of the monitor's last state
+  ros::WallTime waits_since_;            // zero: it does not
   ros::Timer timer_;
   ros::WallTimer wall_timer_;
   ros::Time start_;

@@ -102,8 +102,9 @@ struct SimulationConfig
   double payout_stddev = 0.0;  ///< [m], >= 0.
   bool publish_obstacles = false;  ///< tell the monitor of the obstacles live.
   unsigned seed = 1;
-  bool clock = false;  ///< the simulation owns the clock.
-  double speed = 1.0;  ///< simulated seconds per second then, > 0.
+  bool clock = false;     ///< the simulation owns the clock.
+  double speed = 1.0;     ///< simulated seconds per second then, at most, > 0.
+  bool lockstep = false;  ///< time waits then for the monitor and for those that command, a second at most.
 };
 
 /// Every bound of SimulationConfig that `config` violates, one sentence each, named as in the parameter tree.

@@ -59,7 +59,7 @@ class RosTestBench
       const int words = over_tension_count;
       setClock();
       waitFor([&] { return std::abs(state.header.stamp.toSec() - time) < 1e-3 && over_tension_count > words; },
-              0.25);
+              2.0);
     }
   }
 

@@ -32,4 +32,15 @@ TEST(InputStatistics, KnowsWhoPublishesAndForgets)
   EXPECT_LE(input.publishers(6.0).size(), 8u);
 }
 
+TEST(InputStatistics, OfABurstInOneInstantOfASimulatedClockTheFirstHasATime)
+{
+  InputStatistics input;
+  EXPECT_FALSE(input.isWithoutTime(1.0, NAN));
+  EXPECT_TRUE(input.isWithoutTime(1.0, NAN));
+  EXPECT_TRUE(input.isWithoutTime(1.0, NAN));
+  EXPECT_FALSE(input.isWithoutTime(1.05, NAN));
+  EXPECT_FALSE(input.isWithoutTime(1.05, -0.02)) << "it has a stamp";
+  EXPECT_EQ(input.withoutTime(), 2);
+}
+
 }  // namespace tether_monitor

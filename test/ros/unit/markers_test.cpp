@@ -16,10 +16,10 @@ TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
       ids.emplace_back(m.ns, m.id);
     return ids;
   };
-  const auto invalid = markers(std_msgs::Header(), estimator);
+  const auto invalid = markers(std_msgs::Header(), estimator, RecentFixes());
   EXPECT_EQ(invalid.markers[0].action, visualization_msgs::Marker::DELETE);
   estimator.begin(0.0, {{{0, 0, 0}, {0, 0, 0}}, {{50, 0, -60}, {0, 0, 0}}, 0.0, 0.0});
-  const auto valid = markers(std_msgs::Header(), estimator);
+  const auto valid = markers(std_msgs::Header(), estimator, RecentFixes());
   EXPECT_EQ(names(invalid), names(valid));
   EXPECT_EQ(valid.markers[0].action, visualization_msgs::Marker::ADD);
   EXPECT_EQ(valid.markers[0].points.size(), valid.markers[0].colors.size());

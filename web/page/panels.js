@@ -1,0 +1,92 @@
+// What is text: status, figures, the tether, what was learnt, inputs.
+import { degrees, duration, figures, force, UNKNOWN, withUnit } from "./units.js";
+
+const id = (name) => document.getElementById(name);
+const WARNING_SHARE = 0.8, LIKELY = 0.5, POSSIBLE = 0.05;
+const LATE = 2, GONE = 10;  // [s]
+
+export function drawStatus(state, inputs) {
+  const reason = state.reason === "NONE" ? "" : state.reason.toLowerCase().replace(/_/g, " ");
+  id("status").dataset.status = state.status;
+  id("status-word").textContent = state.status;
+  id("status-text").textContent = state.status === "OK" ? "The estimate holds." : inputs && reason ? inputs.summary : reason;
+}
+
+function level(element, share) {
+  element.closest(".figure").dataset.level = share >= 1 ? "limit" : share >= WARNING_SHARE ? "warning" : "";
+}
+
+function drawEnd(state, end) {
+  const tension = state[end + "_tension"], low = state[end + "_tension_p05"], high = state[end + "_tension_p95"];
+  id(end + "-tension").textContent = force(tension);
+  id(end + "-band").textContent = low === null ? "uncertainty not known" : "90 % between " + force(low, high) + " and " + force(high);
+  level(id(end + "-tension"), state.max_tension > 0 ? state.working_utilisation * tension / state.max_tension : 0);
+}
+
+export function drawFigures(state, forecast) {
+  drawEnd(state, "vessel");
+  drawEnd(state, "vehicle");
+  id("max-tension").textContent = force(state.max_tension);
+  id("max-place").textContent = state.max_tension === null ? ""
+    : figures(100 * state.working_utilisation, 2) + " % of the working load, at s = " + Math.round(state.max_tension_s) + " m";
+  level(id("max-tension"), state.working_utilisation || 0);
+  const isThere = forecast && forecast.members > 0 && Math.abs(state.t - forecast.t) < 10;
+  const probability = isThere ? forecast.probability_over_tension : null;
+  id("probability").textContent = probability === null ? UNKNOWN : figures(100 * probability, 2) + " %";
+  id("time-to-limit").textContent = !isThere ? "no forecast" : forecast.time_to_limit !== null ? "limit in " + duration(forecast.time_to_limit)
+    : "within " + duration(forecast.horizon) + advice(forecast);
+  id("forecast-figure").dataset.level = probability >= LIKELY ? "limit" : probability >= POSSIBLE ? "warning" : "";
+}
+
+function advice(forecast) {
+  if (forecast.probability_over_tension < POSSIBLE) return "";
+  if (forecast.recommended_vessel_speed !== null) return "; improbable at " + withUnit(forecast.recommended_vessel_speed, "m/s");
+  return forecast.recommended_payout_rate !== null ? "; improbable at a pay-out of " + withUnit(forecast.recommended_payout_rate, "m/s") : "";
+}
+
+export function drawTether(state, forecast, alarms) {
+  const turns = (alarms || []).find((alarm) => alarm.name === "turns");
+  const known = (value) => value !== null && value !== undefined;
+  const rows = [
+    ["deployed", withUnit(state.length, "m", 4)], ["pay-out", withUnit(state.payout_rate, "m/s", 2)],
+    ["angle at the vessel", degrees(state.vessel_end_angle)], ["angle at the vehicle", degrees(state.vehicle_end_angle)],
+    ["turns", turns && known(turns.value) ? (turns.value > 0 ? "+" : "") + figures(turns.value, 2) : UNKNOWN],
+    ["tightest bend", state.min_bend_radius > 1000 ? "> 1 km" : withUnit(state.min_bend_radius, "m")],
+    ["on the seabed", withUnit(state.seabed_contact_length, "m")],
+    ["vehicle known to", withUnit(state.vehicle_position_stddev, "m", 2)],
+    ["slack ahead", forecast && forecast.members > 0 ? figures(100 * forecast.probability_slack, 2) + " %" : UNKNOWN],
+    ["share of breaking load", known(state.breaking_utilisation) ? figures(100 * state.breaking_utilisation, 2) + " %" : UNKNOWN]];
+  id("tether").querySelector("dl").replaceChildren(...rows.flatMap(([term, text]) => {
+    const dt = document.createElement("dt"), dd = document.createElement("dd");
+    dt.textContent = term;
+    dd.textContent = text;
+    return [dt, dd];
+  }));
+}
+
+export function drawParameters(parameters) {
+  const section = id("parameters");
+  section.querySelector(".empty").textContent = parameters ? "" : "in mode observed only";
+  section.querySelector("tbody").replaceChildren(...(parameters || []).filter((p) => p.configured_stddev > 0).map((p) => {
+    const row = document.createElement("tr");
+    const digits = (value) => figures(value, 3);
+    for (const text of [p.name, digits(p.mean) + " ± " + figures(p.stddev, 2), digits(p.configured) + " ± " + figures(p.configured_stddev, 2)])
+      row.insertCell().textContent = text;
+    return row;
+  }));
+}
+
+export function drawInputs(state, inputs) {
+  const ages = { vessel: state.vessel_age, vehicle: state.vehicle_age };
+  const lamps = [["vessel", ages.vessel], ["vehicle", ages.vehicle]].map(([name, age]) => ({ topic: "pose of the " + name, age, refused: "", text: "" }))
+    .concat(inputs ? inputs.lamps : []);
+  id("inputs").querySelector("ul").replaceChildren(...lamps.map((lamp) => {
+    const entry = document.createElement("li"), light = document.createElement("span");
+    const kind = lamp.age === null || lamp.age > GONE ? "lost" : lamp.age > LATE || lamp.refused ? "late" : "";
+    light.className = "lamp " + kind;
+    entry.title = [lamp.text, lamp.refused && "refused: " + lamp.refused].filter(Boolean).join("; ");
+    const words = { "": "", late: lamp.refused ? ", some refused" : ", late", lost: ", gone" }[kind];
+    entry.append(light, lamp.topic + " " + (lamp.age === null ? "never" : figures(lamp.age, 2) + " s") + words);
+    return entry;
+  }));
+}
