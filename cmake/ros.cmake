@@ -68,5 +68,5 @@ install(TARGETS tether_monitor_nodelet LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES test/data/tank_run.bag test/data/tank_run.md
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/test/data)
-catkin_install_python(PROGRAMS scripts/after_node.py scripts/demo_monitor.py scripts/station_keeper.py
+catkin_install_python(PROGRAMS scripts/after_node.py scripts/demo_dive.py scripts/demo_monitor.py scripts/station_keeper.py
   scripts/winch_controller.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

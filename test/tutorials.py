@@ -20,11 +20,23 @@ def run(path):
     return done.returncode == 0 and "error" not in done.stdout.lower()
 
 
+def shows(path, language, source):
+    """Whether a tutorial has a file of the tests as it is."""
+    with open(os.path.join(ROOT, path), encoding="utf-8") as text, open(os.path.join(ROOT, source), encoding="utf-8") as file:
+        is_same = "```%s\n%s```\n" % (language, file.read()) in text.read()
+    print("%s: %s %s" % (path, "shows" if is_same else "DOES NOT SHOW", source))
+    return is_same
+
+
+LIBRARY = "doc/tutorials/library_without_ros.md"
+
+
 def main():
     paths = [p for p in sorted(glob.glob(ROOT + "/doc/tutorials/*.md")) if "```sh" in open(p, encoding="utf-8").read()]
-    passed = sum(run(path) for path in paths)
-    print("%d passed, %d failed" % (passed, len(paths) - passed))
-    return 0 if passed == len(paths) and paths else 1
+    results = [run(path) for path in paths]
+    results += [shows(LIBRARY, "cpp", "test/consumer/main.cpp"), shows(LIBRARY, "cmake", "test/consumer/CMakeLists.txt")]
+    print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))
+    return 0 if all(results) and paths else 1
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import socket
+import sys
 import threading
 import time
 import unittest
@@ -22,11 +23,12 @@ from tether_monitor.msg import Alarm, AlarmArray, ParameterEstimate, TetherForec
 from tether_monitor.srv import AlarmAction, AlarmActionResponse
 from visualization_msgs.msg import Marker, MarkerArray
 
-import common.browser as browser
 import common.old_rospy  # noqa: F401
 from common.nodes import run_until, start
 
-PACKAGE = rospkg.RosPack().get_path("tether_monitor")
+sys.path.insert(0, os.path.join(rospkg.RosPack().get_path("tether_monitor"), "web"))
+import browser  # noqa: E402
+
 MONITOR = "/rov1/tether_monitor"
 PORT, OPEN_PORT = 8118, 8119  # with a key, and without
 KEY = "harbour-7"
@@ -274,7 +276,7 @@ class OperatorPage(unittest.TestCase):
             self.assertEqual(page.text("#vehicle-band"), "90 % between 1.30 kN and 1.80 kN")
             self.assertEqual(page.text("#probability"), "62 %")
             self.assertIn("limit in 12 s", page.text("#time-to-limit"))
-            self.assertIn("over_tension text", page.text("#alarms tbody"))
+            self.assertIn("over tension", page.text("#alarms tbody"))
             self.assertIn("107 %", page.text("#alarms tbody"))
             self.assertIn("1.62 ± 0.14", page.text("#parameters tbody"))
             self.assertIn("vehicle/pose", page.text("#inputs"))

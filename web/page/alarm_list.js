@@ -43,18 +43,20 @@ export class AlarmList {
 
   row(alarm, now) {
     const row = this.body.insertRow();
+    row.title = alarm.text;
     row.className = isNew(alarm) ? "unacknowledged" : "";
     const mark = document.createElement("span");
     mark.className = "priority " + alarm.severity;
     mark.textContent = alarm.severity;
     row.insertCell().appendChild(mark);
     const notes = [WORDS[alarm.state], alarm.first_out ? "came first" : "", alarm.chattering ? "chatters" : ""].filter(Boolean).join(", ");
-    cell(row, alarm.text || alarm.name.replace(/_/g, " "), notes + (alarm.advice ? ". " + alarm.advice : ""));
-    cell(row, valueWithUnit(alarm.value, alarm.unit), alarm.s === null ? "" : "at s = " + Math.round(alarm.s) + " m");
-    cell(row, valueWithUnit(alarm.limit, alarm.unit));
-    cell(row, valueWithUnit(alarm.peak, alarm.unit));
-    cell(row, duration(alarm.onset > 0 ? now - alarm.onset : null));
+    cell(row, alarm.name.replace(/_/g, " "), notes + (alarm.advice ? ". " + alarm.advice : ""));
+    cell(row, valueWithUnit(alarm.value, alarm.unit), alarm.s === null ? "" : "s = " + Math.round(alarm.s) + " m").className = "value";
+    cell(row, valueWithUnit(alarm.limit, alarm.unit)).className = "value";
+    cell(row, valueWithUnit(alarm.peak, alarm.unit)).className = "value";
+    cell(row, duration(alarm.onset > 0 ? now - alarm.onset : null)).className = "value";
     const actions = row.insertCell();
+    actions.className = "actions";
     if (!this.mayAct) return;
     const choices = alarm.state === "SHELVED" ? [["Unshelve", "unshelve", 0]]
       : [isNew(alarm) ? ["Acknowledge", "acknowledge", 0] : null, alarm.state === "LATCHED" ? ["Reset", "reset", 0] : null,

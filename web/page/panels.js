@@ -1,5 +1,5 @@
 // What is text: status, figures, the tether, what was learnt, inputs.
-import { degrees, duration, figures, force, UNKNOWN, withUnit } from "./units.js";
+import { degrees, duration, figures, force, UNKNOWN, withBand, withUnit } from "./units.js";
 
 const id = (name) => document.getElementById(name);
 const WARNING_SHARE = 0.8, LIKELY = 0.5, POSSIBLE = 0.05;
@@ -9,7 +9,8 @@ export function drawStatus(state, inputs) {
   const reason = state.reason === "NONE" ? "" : state.reason.toLowerCase().replace(/_/g, " ");
   id("status").dataset.status = state.status;
   id("status-word").textContent = state.status;
-  id("status-text").textContent = state.status === "OK" ? "The estimate holds." : inputs && reason ? inputs.summary : reason;
+  const cause = inputs && reason ? inputs.summary.replace(/^[A-Z]+: /, "") : reason;
+  id("status-text").textContent = state.status === "OK" ? "The estimate holds." : cause;
 }
 
 function level(element, share) {
@@ -69,8 +70,8 @@ export function drawParameters(parameters) {
   section.querySelector(".empty").textContent = parameters ? "" : "in mode observed only";
   section.querySelector("tbody").replaceChildren(...(parameters || []).filter((p) => p.configured_stddev > 0).map((p) => {
     const row = document.createElement("tr");
-    const digits = (value) => figures(value, 3);
-    for (const text of [p.name, digits(p.mean) + " ± " + figures(p.stddev, 2), digits(p.configured) + " ± " + figures(p.configured_stddev, 2)])
+    row.title = p.name;
+    for (const text of [p.name.replace(/^(tether|environment)\./, "").replace(/[._]/g, " "), withBand(p.mean, p.stddev), withBand(p.configured, p.configured_stddev)])
       row.insertCell().textContent = text;
     return row;
   }));
@@ -86,7 +87,7 @@ export function drawInputs(state, inputs) {
     light.className = "lamp " + kind;
     entry.title = [lamp.text, lamp.refused && "refused: " + lamp.refused].filter(Boolean).join("; ");
     const words = { "": "", late: lamp.refused ? ", some refused" : ", late", lost: ", gone" }[kind];
-    entry.append(light, lamp.topic + " " + (lamp.age === null ? "never" : figures(lamp.age, 2) + " s") + words);
+    entry.append(light, lamp.topic + " " + (lamp.age === null ? "never" : (lamp.age < 10 ? lamp.age.toFixed(1) : Math.round(lamp.age)) + " s") + words);
     return entry;
   }));
 }

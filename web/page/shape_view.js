@@ -1,6 +1,6 @@
 // The tether from the side or from above, with how far it may be elsewhere, fixes, obstacles and the seabed.
 import { add, axes, canvas, legend } from "./svg.js";
-import { figures } from "./units.js";
+import { tick } from "./units.js";
 
 const STDDEVS = 2;
 const SIDES = 16;  // of an ellipse
@@ -89,15 +89,15 @@ export class ShapeView {
     const tube = spreads.map((spread, k) => ellipse(line[k], spread));
     const fixes = this.fixes(scene, flat, u);
     const extent = this.bounds(line.concat(...tube));
-    const box = { left: 62, right: width - 10, top: 10, bottom: height - 30 };
+    const box = { left: 62, right: width - 24, top: 10, bottom: height - 30 };
     const scale = Math.min((box.right - box.left) / Math.max(1.1 * (extent[1] - extent[0]), 2), (box.bottom - box.top) / Math.max(1.1 * (extent[3] - extent[2]), 2));
     const middle = [(extent[0] + extent[1]) / 2, (extent[2] + extent[3]) / 2];
     const half = [(box.right - box.left) / 2 / scale, (box.bottom - box.top) / 2 / scale];
     const d3 = window.d3;
     const x = d3.scale.linear().domain([middle[0] - half[0], middle[0] + half[0]]).range([box.left, box.right]);
     const y = d3.scale.linear().domain([middle[1] - half[1], middle[1] + half[1]]).range([box.bottom, box.top]);
-    const metres = (value) => figures(value) + " m";
-    axes(svg, x, y, box, { x: metres, y: metres }, { x: 5, y: 5 });
+    const metres = (value) => tick(value, "m");
+    axes(svg, x, y, box, { x: metres, y: metres }, { x: width / 90, y: height / 50 });
     const clip = add(add(svg, "clipPath", { id: "clip-" + this.kind }), "rect", { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top });
     clip.setAttribute("data-kind", this.kind);
     const pen = add(svg, "g", { "clip-path": `url(#clip-${this.kind})` });

@@ -1,6 +1,6 @@
 // Tension at both ends a minute back, and the forecast half a minute ahead.
 import { add, axes, canvas, legend } from "./svg.js";
-import { force } from "./units.js";
+import { force, tick } from "./units.js";
 
 const BACK = 60, AHEAD = 30;  // [s]
 
@@ -38,12 +38,13 @@ export class TensionChart {
     const picture = canvas(this.place);
     if (!picture || !state) return;
     const { svg, width, height } = picture;
-    const box = { left: 78, right: width - 12, top: 12, bottom: height - 30 };
+    const box = { left: 78, right: width - 28, top: 12, bottom: height - 30 };
     const top = this.top(forecast, limits);
     const d3 = window.d3;
     const x = d3.scale.linear().domain([-BACK, AHEAD]).range([box.left, box.right]);
     const y = d3.scale.linear().domain([0, top]).range([box.bottom, box.top]);
-    axes(svg, x, y, box, { x: (t) => (t > 0 ? "+" : "") + t + " s", y: (n) => force(n, top) }, { x: 9, y: 6 });
+    axes(svg, x, y, box, { x: (t) => (t > 0 ? "+" : "") + t + " s", y: (n) => top >= 1000 ? tick(n, "kN", 1000) : tick(n, "N") },
+      { x: width / 70, y: height / 50 });
     for (const end of ["vessel", "vehicle"]) {
       const name = end + "_tension";
       const at = (p) => x(p.t - state.t);

@@ -20,6 +20,11 @@ export function force(value, companion = value) {
   return size >= 1000 ? withUnit(value === null ? null : value / 1000, "kN") : withUnit(value, "N");
 }
 
+// Of an axis: no more digits than the number has.
+export function tick(value, unit, divisor = 1) {
+  return (String(Number((value / divisor).toPrecision(6))) + " " + unit).trim();
+}
+
 export function degrees(angle) {
   return angle === null ? UNKNOWN : figures(angle * 180 / Math.PI) + "°";
 }
@@ -28,7 +33,14 @@ export function valueWithUnit(value, unit) {
   if (unit === "N") return force(value);
   if (unit.startsWith("fraction of")) return value === null ? UNKNOWN : figures(100 * value) + " %";
   if (unit === "rad") return degrees(value);
-  return withUnit(value, unit);
+  return value === null ? UNKNOWN : tick(Number(value.toPrecision(3)), unit === "-" ? "" : unit);
+}
+
+// With as many decimals as its standard deviation has in two figures.
+export function withBand(value, stddev) {
+  if (value === null || stddev === null) return UNKNOWN;
+  const decimals = stddev > 0 ? Math.min(Math.max(1 - Math.floor(Math.log10(stddev)), 0), 6) : 3;
+  return value.toFixed(decimals) + " ± " + stddev.toFixed(decimals);
 }
 
 export function duration(seconds) {

@@ -23,13 +23,17 @@ core::Vector3 comparable(const VehicleMeasurement& fix)
   return value;
 }
 
-// A depth and a place of one moment are two measurements.
-bool shareAnAxis(const VehicleMeasurement& a, const VehicleMeasurement& b)
+// Two sources may measure at one moment; what came twice says the same of the same axes.
+bool isSame(const VehicleMeasurement& a, const VehicleMeasurement& b)
 {
-  bool shares = false;
+  bool same = std::abs(a.t - b.t) < SAME_TIME && a.kind == b.kind;
   for (int axis = 0; axis < 3; ++axis)
-    shares = shares || (a.value.isMeasured(axis) && b.value.isMeasured(axis));
-  return shares;
+  {
+    const bool is_measured = a.value.isMeasured(axis);
+    same = same && is_measured == b.value.isMeasured(axis);
+    same = same && (!is_measured || a.value.value()[axis] == b.value.value()[axis]);
+  }
+  return same;
 }
 
 // A depth alone may well repeat: sensors tell centimetres.
@@ -71,9 +75,8 @@ Rejection MeasurementHistory::check(const VehicleMeasurement& fix, double earlie
 {
   if (!std::isfinite(fix.t) || !fix.value.isValid())
     return Rejection::NOT_FINITE;
-  const auto is_same = [&](const VehicleMeasurement& other)
-  { return std::abs(other.t - fix.t) < SAME_TIME && other.kind == fix.kind && shareAnAxis(other, fix); };
-  if (std::any_of(fixes_.begin(), fixes_.end(), is_same))
+  if (std::any_of(fixes_.begin(), fixes_.end(),
+                  [&](const VehicleMeasurement& other) { return isSame(other, fix); }))
     return Rejection::REPEATED;
   if (fix.t <= earliest)
     return Rejection::TOO_LATE;

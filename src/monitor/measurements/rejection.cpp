@@ -15,7 +15,7 @@ const char* describe(Rejection rejection)
     case Rejection::OUT_OF_ORDER:
       return "the stamp is not later than the one before";
     case Rejection::REPEATED:
-      return "there is a measurement of that stamp already";
+      return "the same measurement of that stamp came before";
     case Rejection::TOO_LATE:
       return "it is older than what can still be put in its place (vehicle.latency tells how late they are)";
     case Rejection::NOT_MEASURED:

@@ -57,6 +57,19 @@ TEST(MeasurementHistory, ADepthAndAPlaceOfOneMomentAreTwoMeasurements)
   }
 }
 
+TEST(MeasurementHistory, TwoSourcesMayMeasureAtOneMoment)
+{
+  MeasurementHistory history;
+  VehicleMeasurement depth = fixAt(1.0);
+  depth.value.setNotMeasured(0);
+  depth.value.setNotMeasured(1);
+  EXPECT_EQ(history.add(depth, 0.0), Rejection::NONE);
+  EXPECT_EQ(history.add(fixAt(1.0), 0.0), Rejection::NONE) << "a place with a depth of its own";
+  EXPECT_EQ(history.add(fixAt(1.0, 0.3), 0.0), Rejection::NONE) << "another source";
+  EXPECT_EQ(history.add(fixAt(1.0, 0.3), 0.0), Rejection::REPEATED);
+  EXPECT_EQ(history.add(depth, 0.0), Rejection::REPEATED);
+}
+
 TEST(MeasurementHistory, WhatWasNotMeasuredHasALargeVariance)
 {
   VehicleMeasurement height = fixAt(1.0);

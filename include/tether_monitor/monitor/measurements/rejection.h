@@ -9,7 +9,7 @@ enum class Rejection
   NOT_FINITE,      ///< a number is NaN or infinite, or a covariance is not positive definite.
   BAD_QUATERNION,  ///< the orientation is not of unit length (within 1 %).
   OUT_OF_ORDER,    ///< not later than the last one of its kind.
-  REPEATED,        ///< there is one of that time already.
+  REPEATED,        ///< the same one of that time came before.
   TOO_LATE,        ///< older than what can still be put in its place.
   NOT_MEASURED,    ///< its covariance says that the position was not measured, and the mode needs it.
   FROZEN,          ///< the same to the last digit as those before: a frozen sensor.

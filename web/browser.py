@@ -1,4 +1,4 @@
-"""A headless Chromium, driven over its DevTools websocket."""
+"""A headless Chromium, driven over its DevTools websocket: for pictures of the page, and its tests."""
 import base64
 import json
 import os
@@ -32,7 +32,7 @@ class Browser:
         self.number = 0
         self.complaints = []  # errors and warnings of the console, exceptions, requests that failed
         self.socket = self.wait(self.connect())
-        for domain in ("Page", "Runtime", "Log", "Network", "Performance"):
+        for domain in ("Page", "Runtime", "Log", "Performance"):
             self.call(domain + ".enable")
 
     def __enter__(self):
