@@ -139,7 +139,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: bench_estimation FILE [CASES] [DRAWS]\n";
     return 2;
   }
-  const std::string cases = argc > 2 ? argv[2] : "CDGRMS";
+  const std::string cases = argc > 2 ? argv[2] : "CDIGRMS";
   nlohmann::json out;
   const int draws = argc > 3 ? std::atoi(argv[3]) : 32;
   out["pooled"] = bench::pooled(bench::uncertainCases(), cases, draws);

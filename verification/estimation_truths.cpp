@@ -114,6 +114,26 @@ UncertainCase towed(const std::string& name)
   return c;
 }
 
+// The stern of a ship in a sea of 1.2 m, from 6 to 20 s: Pierson and Moskowitz's spectrum, risen from nothing.
+EndMotion inIrregularSea(const Vector3& start, const Vector3& velocity, double t)
+{
+  constexpr double PEAK = 0.75, STEP = 0.035, SIZE = 0.3, RISE = 20.0;  // [rad/s, rad/s, m, s]
+  const double risen = std::clamp(t / RISE, 0.0, 1.0);
+  Vector3 off = Vector3::Zero();
+  double variance = 0.0;
+  for (int k = 0; k < 40; ++k)
+  {
+    const double f = 0.42 * PEAK + STEP * (k + 0.3 * std::sin(37.0 * k));
+    const double density = std::pow(PEAK / f, 5) * std::exp(-1.25 * std::pow(PEAK / f, 4));
+    const double phase = 2.4 * k * k;
+    off += std::sqrt(2.0 * density) *
+           Vector3(0.5 * std::cos(f * t + phase), 0.3 * std::cos(f * t + 2.0 * phase), std::sin(f * t + phase));
+    variance += density;
+  }
+  const double share = risen * risen * (3.0 - 2.0 * risen) * SIZE / std::sqrt(variance);
+  return {start + t * velocity + share * off, Vector3::Zero()};
+}
+
 UncertainCase thrusting(const std::string& name, const std::string& what)
 {
   UncertainCase c;
@@ -140,6 +160,12 @@ EndMotion centreOf(const core::CableState& state)
 std::vector<UncertainCase> uncertainCases()
 {
   std::vector<UncertainCase> cases{towed("C"), towed("D")};
+  UncertainCase irregular = towed("C");
+  irregular.of.name = "I";
+  irregular.of.what = "tow in an irregular sea";
+  irregular.of.vessel = [start = irregular.of.start](double t)
+  { return inIrregularSea(start.vessel, start.velocity, t); };
+  cases.push_back(irregular);
   cases.push_back(thrusting("G", "keeps its station in a current"));
   UncertainCase rest = thrusting("R", "rests");
   rest.of.sea.current = core::CurrentProfile();

@@ -8,8 +8,11 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double ACCELERATION_TIME_CONSTANT = 20.0;  // [s] over which it fades
-constexpr double DAMPING = 0.05;  // of the oscillators [-]: how wide the spectrum of the waves is
-constexpr double MEMORY = 60.0;   // [s] of what the waves are like
+// Damping of the oscillators [-]: how wide the spectrum of the waves is, from a swell to a short-crested sea or a
+// turn.
+constexpr double MIN_DAMPING = 0.05, MAX_DAMPING = 1.0;
+constexpr double DAMPING_GAIN = 0.01, LARGE_NIS = 9.0;  // its relative change for a squared innovation beyond one
+constexpr double MEMORY = 60.0;                         // [s] of what the waves are like
 constexpr double MIN_WAVE_FREQUENCY = 0.25, MAX_WAVE_FREQUENCY = 2.0;  // [rad/s]
 constexpr double MIN_WAVE_STDDEV = 0.01, MAX_WAVE_STDDEV = 10.0;       // standard deviation of the wave motion [m]
 constexpr double FASTEST_WAVE = 20.0;                                  // velocity in the waves that can be [m/s]
@@ -43,7 +46,7 @@ Row AxisKalmanFilter::accelerationRow() const
   a[2] = 1.0;
   a[3] = wave_frequency_ * wave_frequency_;
   a[5] = -a[3];
-  a[6] = -2.0 * DAMPING * wave_frequency_;
+  a[6] = -2.0 * damping_ * wave_frequency_;
   return a;
 }
 
@@ -55,6 +58,7 @@ void AxisKalmanFilter::start(double t, double position, double position_stddev, 
     since_start_ = 0.0;
     wave_frequency_ = USUAL_RATE;
     wave_stddev_ = USUAL_HEIGHT;
+    damping_ = MIN_DAMPING;
     velocity_mean_ = velocity;
     velocity_square_ = wave_stddev_ * wave_stddev_ * wave_frequency_ * wave_frequency_;
     wave_displacement_square_ = wave_stddev_ * wave_stddev_;
@@ -83,7 +87,7 @@ AxisKalmanFilter::Matrix AxisKalmanFilter::transition(double dt) const
   A(2, 2) = -1.0 / ACCELERATION_TIME_CONSTANT;
   const double w = wave_frequency_;
   A(4, 3) = A(6, 5) = -w * w;
-  A(4, 4) = A(6, 6) = -2.0 * DAMPING * w;
+  A(4, 4) = A(6, 6) = -2.0 * damping_ * w;
   A(6, 3) = w * w;
   const Matrix X = dt * A;
   const Matrix X2 = X * X;
@@ -98,7 +102,7 @@ AxisKalmanFilter::Matrix AxisKalmanFilter::noise(double dt) const
   Q(2, 2) = jerk * dt;
   Q(1, 2) = Q(2, 1) = 0.5 * jerk * dt * dt;
   Q(1, 1) = jerk * dt * dt * dt / 3.0;
-  const double wave = 32.0 * std::pow(DAMPING * wave_frequency_, 3) * wave_stddev_ * wave_stddev_;
+  const double wave = 32.0 * std::pow(damping_ * wave_frequency_, 3) * wave_stddev_ * wave_stddev_;
   Q(4, 4) = wave * dt;
   Q(3, 4) = Q(4, 3) = 0.5 * wave * dt * dt;
   Q(3, 3) = wave * dt * dt * dt / 3.0;
@@ -156,9 +160,11 @@ void AxisKalmanFilter::predict(double t)
 
 void AxisKalmanFilter::recordInnovation(double normalizedInnovation)
 {
-  innovation_variance_ratio_ +=
-      SMOOTHING_FACTOR *
-      (std::min(normalizedInnovation * normalizedInnovation, MAX_NIS) - innovation_variance_ratio_);
+  const double squared = std::min(normalizedInnovation * normalizedInnovation, MAX_NIS);
+  innovation_variance_ratio_ += SMOOTHING_FACTOR * (squared - innovation_variance_ratio_);
+  if (since_start_ > LEARNING_START)
+    damping_ = std::clamp(damping_ * std::exp(DAMPING_GAIN * (std::min(squared, LARGE_NIS) - 1.0)), MIN_DAMPING,
+                          MAX_DAMPING);
 }
 
 void AxisKalmanFilter::correct(const Row& H, double value, double stddev)
@@ -199,7 +205,8 @@ double AxisKalmanFilter::normalizedVelocityInnovation(double velocity, double st
 bool AxisKalmanFilter::isValid() const
 {
   return std::isfinite(time_) && mean_.allFinite() && covariance_.allFinite() &&
-         wave_frequency_ <= MAX_WAVE_FREQUENCY && wave_stddev_ <= MAX_WAVE_STDDEV && acceleration_stddev_ > 0.0 &&
+         wave_frequency_ <= MAX_WAVE_FREQUENCY && wave_stddev_ <= MAX_WAVE_STDDEV && damping_ >= MIN_DAMPING &&
+         damping_ <= MAX_DAMPING && acceleration_stddev_ > 0.0 &&
          std::isfinite(velocity_mean_ + velocity_square_ + wave_displacement_) &&
          std::isfinite(wave_displacement_square_ + innovation_variance_ratio_);
 }

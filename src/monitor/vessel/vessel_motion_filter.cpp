@@ -10,13 +10,20 @@ namespace
 {
 constexpr double SNAPSHOT_INTERVAL = 0.15;  // [s]
 constexpr std::size_t SNAPSHOTS = 32;
-constexpr double READY_SPEED = 0.3;           // standard deviation of the velocity to begin with [m/s]
-constexpr double INITIAL_WINDOW = 9.5;        // [s] of recent positions to begin with
-constexpr double BLEND_BANDWIDTH = 0.3;       // rate at which a correction fades [1/s]
-constexpr double LARGE_VARIANCE_RATIO = 3.0;  // squared innovations over what they should be that mean so
-constexpr double FASTEST_FADING = 10.0;       // factor on it then
-constexpr double RAMP_DURATION = 14.0;        // [s] in which waves come on top of the track at the start
-constexpr double FASTEST_ERROR = 1.0;         // rate of the errors that fading leaves [1/s]
+constexpr double READY_SPEED = 0.3;     // standard deviation of the velocity to begin with [m/s]
+constexpr double INITIAL_WINDOW = 9.5;  // [s] of recent positions to begin with
+constexpr double SLOWEST_FADING = 0.3, FASTEST_FADING = 8.0;  // of a correction [1/s]
+constexpr double LEAST_TOLERABLE = 0.005, TOLERABLE = 0.02;   // [m] of a correction that may be left
+constexpr double FADING_LEAD = 0.15;                          // [s] in which its rate counts with it
+constexpr double FADING_GAIN = 0.3;                           // [1/s] at which fading gets faster, or slower
+constexpr double MOST_LEFT = 3.0;                             // squared excess that counts
+constexpr double RAMP_DURATION = 14.0;  // [s] in which waves come on top of the track at the start
+constexpr double FASTEST_ERROR = 10.0;  // rate of the errors that fading leaves [1/s]
+
+double sizeOf(const Correction<double>& left)
+{
+  return std::hypot(left.value, FADING_LEAD * left.rate);
+}
 }  // namespace
 
 VesselMotionFilter::VesselMotionFilter()
@@ -36,6 +43,7 @@ void VesselMotionFilter::clear()
   for (PositionWindow& recent : position_windows_)
     recent.clear();
   track_velocity_stddev_.setZero();
+  fading_.setConstant(SLOWEST_FADING);
   blending_since_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -237,16 +245,22 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
   {
     // What the measurements since then have changed, and its critically damped fading.
     const core::EndMotion expected = motionOf(last_output_, t).end;
-    // An axis that its filter does not predict has to be followed faster.
     for (int i = 0; i < 3; ++i)
     {
-      const double w = BLEND_BANDWIDTH *
-                       std::clamp(now[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO, 1.0, FASTEST_FADING);
       Correction<double> axis{correction_.value[i], correction_.rate[i]};
-      axis.fade(w, dt);
+      const double share = sizeOf(axis) / std::clamp(2.0 * motion.position_stddev[i], LEAST_TOLERABLE, TOLERABLE);
+      fading_[i] *= std::exp(FADING_GAIN * dt * (std::min(share * share, MOST_LEFT + 1.0) - 1.0));
+      fading_[i] = std::clamp(fading_[i], SLOWEST_FADING, FASTEST_FADING);
+      axis.fade(fading_[i], dt);
       correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
       correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
     }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const double left = sizeOf({correction_.value[i], correction_.rate[i]});
+    motion.position_stddev[i] = std::hypot(motion.position_stddev[i], left);
+    motion.acceleration_stddev[i] = std::hypot(motion.acceleration_stddev[i], fading_[i] * fading_[i] * left);
   }
   last_output_ = now;
   last_output_time_ = t;
@@ -330,9 +344,9 @@ bool VesselMotionFilter::isValid() const
   bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.axes) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
                areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
-               correction_.rate.allFinite() && ramp_track_.position.allFinite() &&
-               ramp_track_.velocity.allFinite() && track_velocity_stddev_.allFinite() &&
-               blending_since_ <= last_output_time_;
+               fading_.minCoeff() > 0.0 && fading_.allFinite() && correction_.rate.allFinite() &&
+               ramp_track_.position.allFinite() && ramp_track_.velocity.allFinite() &&
+               track_velocity_stddev_.allFinite() && blending_since_ <= last_output_time_;
   for (std::size_t i = 0; i < log_.size(); ++i)
     sound = sound && std::isfinite(log_[i].t) && (i == 0 || log_[i].t >= log_[i - 1].t);
   for (std::size_t i = 0; i < snapshots_.size(); ++i)

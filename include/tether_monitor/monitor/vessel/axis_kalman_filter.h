@@ -65,7 +65,7 @@ class AxisKalmanFilter
   {
     a(acceleration_stddev_, started_, time_, mean_, covariance_, wave_frequency_, wave_stddev_, velocity_mean_,
       velocity_square_, wave_displacement_, wave_displacement_mean_, wave_displacement_square_, since_start_,
-      innovation_variance_ratio_);
+      innovation_variance_ratio_, damping_);
   }
 
  private:
@@ -84,6 +84,7 @@ class AxisKalmanFilter
          wave_displacement_square_ = 0.0;   // running means
   double since_start_ = 0.0;                // [s]
   double innovation_variance_ratio_ = 1.0;  // running mean of squared surprises
+  double damping_ = 0.05;                   // of the oscillators [-]
 };
 
 }  // namespace tether_monitor::monitor
