@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Companion of demo.launch: compares a point of the tether with its measurement, prints a table, draws a plot.
+"""Companion of tank_run.launch: compares a point of the tether with its measurement, prints a table, draws a plot.
 
 Subscribes: tether_monitor/state, tether_monitor/over_tension, marker/measured. Publishes: demo/markers.
 Parameters: ~s, place of the marker on the tether [m]; ~plot, PNG file to write at the end, ~screenshot, PNG file of the

@@ -19,7 +19,7 @@ STEPS = [
     ("has the nodes that its launch files start",
      'nodes() {{ roslaunch --nodes tether_monitor "$@" rviz:=false > {prefix}/out/nodes.txt; }};'
      " nodes tether_monitor.launch config:={prefix}/share/tether_monitor/config/tank_run.yaml;"
-     " for launch in demo operator sim winch_control feed_forward; do nodes $launch.launch; done"),
+     " for launch in demo dive operator sim tank_run winch_control feed_forward; do nodes $launch.launch; done"),
     ("has the page", "test -f {prefix}/share/tether_monitor/web/page/index.html && python3 -m py_compile {prefix}/share/tether_monitor/web/server.py"),
     ("has the nodelet", "test -f {prefix}/share/tether_monitor/nodelet_plugins.xml && ls {prefix}/lib/libtether_monitor_nodelet.so"),
 ]

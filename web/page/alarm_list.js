@@ -60,11 +60,12 @@ export class AlarmList {
     if (!this.mayAct) return;
     const choices = alarm.state === "SHELVED" ? [["Unshelve", "unshelve", 0]]
       : [isNew(alarm) ? ["Acknowledge", "acknowledge", 0] : null, alarm.state === "LATCHED" ? ["Reset", "reset", 0] : null,
-         ["Shelve 10 min", "shelve", SHELVING]].filter(Boolean);
+         ["Shelve", "shelve", SHELVING]].filter(Boolean);
     for (const [text, action, seconds] of choices) {
       const button = document.createElement("button");
       button.textContent = text;
       button.dataset.action = action;
+      button.title = action === "shelve" ? "for ten minutes" : "";
       button.addEventListener("click", () => this.act(action, alarm.name, seconds));
       actions.appendChild(button);
     }

@@ -50,13 +50,13 @@ export function drawTether(state, forecast, alarms) {
   const known = (value) => value !== null && value !== undefined;
   const rows = [
     ["deployed", withUnit(state.length, "m", 4)], ["pay-out", withUnit(state.payout_rate, "m/s", 2)],
-    ["angle at the vessel", degrees(state.vessel_end_angle)], ["angle at the vehicle", degrees(state.vehicle_end_angle)],
+    ["vessel angle", degrees(state.vessel_end_angle)], ["vehicle angle", degrees(state.vehicle_end_angle)],
     ["turns", turns && known(turns.value) ? (turns.value > 0 ? "+" : "") + figures(turns.value, 2) : UNKNOWN],
     ["tightest bend", state.min_bend_radius > 1000 ? "> 1 km" : withUnit(state.min_bend_radius, "m")],
     ["on the seabed", withUnit(state.seabed_contact_length, "m")],
     ["vehicle known to", withUnit(state.vehicle_position_stddev, "m", 2)],
     ["slack ahead", forecast && forecast.members > 0 ? figures(100 * forecast.probability_slack, 2) + " %" : UNKNOWN],
-    ["share of breaking load", known(state.breaking_utilisation) ? figures(100 * state.breaking_utilisation, 2) + " %" : UNKNOWN]];
+    ["of breaking load", known(state.breaking_utilisation) ? figures(100 * state.breaking_utilisation, 2) + " %" : UNKNOWN]];
   id("tether").querySelector("dl").replaceChildren(...rows.flatMap(([term, text]) => {
     const dt = document.createElement("dt"), dd = document.createElement("dd");
     dt.textContent = term;

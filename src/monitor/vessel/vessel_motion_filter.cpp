@@ -16,7 +16,7 @@ constexpr double SLOWEST_FADING = 0.3, FASTEST_FADING = 8.0;  // of a correction
 constexpr double LEAST_TOLERABLE = 0.005, TOLERABLE = 0.02;   // [m] of a correction that may be left
 constexpr double FADING_LEAD = 0.15;                          // [s] in which its rate counts with it
 constexpr double FADING_GAIN = 0.3;                           // [1/s] at which fading gets faster, or slower
-constexpr double MOST_LEFT = 3.0;                             // squared excess that counts
+constexpr double MOST_EXCESS = 3.0;                           // of the square of what is left over what may be
 constexpr double RAMP_DURATION = 14.0;  // [s] in which waves come on top of the track at the start
 constexpr double FASTEST_ERROR = 10.0;  // rate of the errors that fading leaves [1/s]
 
@@ -242,32 +242,41 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
   }
   const double dt = t - last_output_time_;
   if (dt > 0.0)
+    fadeCorrection(motion, motionOf(last_output_, t).end, dt);
+  last_output_ = now;
+  last_output_time_ = t;
+  addCorrection(motion);
+  rampWaveMotion(t, motion);
+  return motion;
+}
+
+// What the measurements of the last dt have changed, and its critically damped fading: so fast that little is
+// left.
+void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMotion& expected, double dt)
+{
+  for (int i = 0; i < 3; ++i)
   {
-    // What the measurements since then have changed, and its critically damped fading.
-    const core::EndMotion expected = motionOf(last_output_, t).end;
-    for (int i = 0; i < 3; ++i)
-    {
-      Correction<double> axis{correction_.value[i], correction_.rate[i]};
-      const double share = sizeOf(axis) / std::clamp(2.0 * motion.position_stddev[i], LEAST_TOLERABLE, TOLERABLE);
-      fading_[i] *= std::exp(FADING_GAIN * dt * (std::min(share * share, MOST_LEFT + 1.0) - 1.0));
-      fading_[i] = std::clamp(fading_[i], SLOWEST_FADING, FASTEST_FADING);
-      axis.fade(fading_[i], dt);
-      correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
-      correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
-    }
+    Correction<double> axis{correction_.value[i], correction_.rate[i]};
+    const double tolerable = std::clamp(2.0 * motion.position_stddev[i], LEAST_TOLERABLE, TOLERABLE);
+    const double excess = std::min(std::pow(sizeOf(axis) / tolerable, 2) - 1.0, MOST_EXCESS);
+    fading_[i] = std::clamp(fading_[i] * std::exp(FADING_GAIN * dt * excess), SLOWEST_FADING, FASTEST_FADING);
+    axis.fade(fading_[i], dt);
+    correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
+    correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
   }
+}
+
+// What has not faded yet is known to be wrong.
+void VesselMotionFilter::addCorrection(Motion& motion) const
+{
   for (int i = 0; i < 3; ++i)
   {
     const double left = sizeOf({correction_.value[i], correction_.rate[i]});
     motion.position_stddev[i] = std::hypot(motion.position_stddev[i], left);
     motion.acceleration_stddev[i] = std::hypot(motion.acceleration_stddev[i], fading_[i] * fading_[i] * left);
   }
-  last_output_ = now;
-  last_output_time_ = t;
   motion.end.position += correction_.value;
   motion.end.velocity += correction_.rate;
-  rampWaveMotion(t, motion);
-  return motion;
 }
 
 bool VesselMotionFilter::isRampingUp(double t) const
