@@ -81,7 +81,10 @@ class StationKeeper:
         command = Wrench()
         command.force.x, command.force.y, command.force.z = force
         command.torque.x, command.torque.y, command.torque.z = torque
-        self.command.publish(command)
+        try:
+            self.command.publish(command)
+        except rospy.ROSException:
+            pass  # the node is being shut down
 
 
 if __name__ == "__main__":

@@ -105,7 +105,10 @@ class WinchController:
             rate = min(rate, 0.0)
         if state.length <= self.shortest:
             rate = max(rate, 0.0)
-        self.command.publish(Float64(max(-self.fastest, min(self.fastest, rate))))
+        try:
+            self.command.publish(Float64(max(-self.fastest, min(self.fastest, rate))))
+        except rospy.ROSException:
+            pass  # the node is being shut down
 
 
 if __name__ == "__main__":

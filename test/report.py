@@ -11,8 +11,9 @@ import tempfile
 import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(ROOT, "report"))
+sys.path[:0] = [os.path.join(ROOT, "report"), os.path.join(ROOT, "web")]
 
+import browser  # noqa: E402
 import page  # noqa: E402
 import rainflow  # noqa: E402
 from replay_folder import ReplayError, ReplayFolder  # noqa: E402
@@ -115,6 +116,23 @@ class Report(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (0, "wrote %s\n" % out))
         done = subprocess.run([program, "/nowhere"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
         self.assertEqual((done.returncode, done.stdout), (1, "tether_report: /nowhere is no folder\n"))
+
+
+    @unittest.skipUnless(browser.program(), "no Chromium: scripts/install_dependencies browser")
+    def test_in_a_browser(self):
+        path = self.folder + "/report.html"
+        with open(path, "w", encoding="utf-8") as out:
+            out.write(self.page())
+        with browser.Browser() as shown:
+            shown.open("file://" + path)
+            self.assertTrue(shown.wait_for("document.getElementById('shape-label') && document.getElementById('shape-label').textContent"))
+            first = shown.text("#shape-label")
+            shown.value("(() => { const s = document.getElementById('shape-time'); s.value = s.max; s.dispatchEvent(new Event('input')); })()")
+            self.assertNotEqual(shown.text("#shape-label"), first, "the slider moves the shape")
+            for width, height, is_phone in ((1920, 1080, False), (1280, 720, False), (390, 844, True)):
+                shown.resize(width, height, is_phone)
+                self.assertLessEqual(shown.value("document.documentElement.scrollWidth"), width, "nothing sticks out sideways")
+            self.assertEqual(shown.complaints, [])
 
 
 class Rainflow(unittest.TestCase):

@@ -26,8 +26,8 @@ struct UncertainCase
   std::function<core::PayoutState(double)> payout = nullptr;  ///< none: the tether is as long as it was built.
 };
 
-/// C (tow in heave), D (tow in a turn), I (tow in an irregular sea), G (keeps its station in a current), R (rests),
-/// M (manoeuvres at 0.5 m/s), S (slack tether in a sheared current).
+/// C (tow in heave), D (tow in a turn), I (tow in an irregular sea), G (keeps its station in a current), R
+/// (rests), M (manoeuvres at 0.5 m/s), S (slack tether in a sheared current).
 std::vector<UncertainCase> uncertainCases();
 /// C and G in a current that changes by 0.3 m/s after 200 s, scored from five minutes after that on.
 std::vector<UncertainCase> changingCurrents();

@@ -48,15 +48,23 @@ class Browser:
             return await coroutine
         return self.loop.run_sync(awaited, timeout=2 * ANSWER)
 
-    async def connect(self):
-        port_file = os.path.join(self.folder, "DevToolsActivePort")
+    def port(self):
+        """Where it listens; it writes that into a file."""
         deadline = time.monotonic() + ANSWER
-        while not os.path.exists(port_file) or not open(port_file).read().strip():
-            if time.monotonic() > deadline:
-                raise RuntimeError("Chromium does not start")
+        while time.monotonic() < deadline:
+            try:
+                with open(os.path.join(self.folder, "DevToolsActivePort"), encoding="ascii") as text:
+                    words = text.read().split()
+                if words:
+                    return words[0]
+            except OSError:
+                pass
             time.sleep(0.05)
-        port = open(port_file).read().split()[0]
-        pages = json.load(urllib.request.urlopen("http://127.0.0.1:%s/json" % port, timeout=ANSWER))
+        raise RuntimeError("Chromium does not start")
+
+    async def connect(self):
+        with urllib.request.urlopen("http://127.0.0.1:%s/json" % self.port(), timeout=ANSWER) as answer:
+            pages = json.load(answer)
         url = next(page["webSocketDebuggerUrl"] for page in pages if page["type"] == "page")
         return await tornado.websocket.websocket_connect(url, max_message_size=100 * 1024 * 1024)
 
