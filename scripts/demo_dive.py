@@ -18,6 +18,7 @@ from tether_monitor.msg import Alarm, AlarmEvent, TetherForecast, TetherState
 
 TABLE_PERIOD = 5.0  # [s]
 PROBABLE = 0.3      # probability of over-tension from which on it is worth saying
+PICTURED_AFTER = 90.0  # [s]: a minute of curves is there
 STATUS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}
 
 
@@ -57,7 +58,8 @@ class Watch:
             self.has_warned = True
             self.say("%8.1f  FORECAST: over-tension within %.0f s with a probability of %.0f %%; pay-out recommended: %.2f m/s" % (
                 forecast.header.stamp.to_sec(), forecast.horizon, 100.0 * self.probability, forecast.recommended_payout_rate))
-            self.paint()
+            if forecast.header.stamp.to_sec() > PICTURED_AFTER:
+                self.paint()
         self.has_warned = self.has_warned and self.probability > 0.1
 
     def on_event(self, event):
@@ -84,6 +86,7 @@ class Watch:
             inside = sum(is_in for _, is_in in self.errors) / len(self.errors)
             self.say("Estimate against truth at the vessel, from 30 s on: %.2f kN RMS; %.0f %% of the time between the 5 and 95 %% quantiles." % (
                 1e-3 * rms, 100.0 * inside))
+        self.paint()  # if it was never worth it
         if self.painting:
             self.painting.join(30.0)
         rospy.signal_shutdown("the dive is over")

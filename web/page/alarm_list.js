@@ -56,8 +56,8 @@ export class AlarmList {
     cell(row, valueWithUnit(alarm.peak, alarm.unit)).className = "value";
     cell(row, duration(alarm.onset > 0 ? now - alarm.onset : null)).className = "value";
     const actions = row.insertCell();
-    actions.className = "actions";
     if (!this.mayAct) return;
+    actions.className = "actions";
     const choices = alarm.state === "SHELVED" ? [["Unshelve", "unshelve", 0]]
       : [isNew(alarm) ? ["Acknowledge", "acknowledge", 0] : null, alarm.state === "LATCHED" ? ["Reset", "reset", 0] : null,
          ["Shelve", "shelve", SHELVING]].filter(Boolean);

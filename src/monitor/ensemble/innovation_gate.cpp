@@ -16,6 +16,7 @@ constexpr double REACQUISITION_WINDOW =
     20.0;  // [s] after the start or a gap in which positions need not be defended
 constexpr double INCONSISTENCY_HOLD = 600.0;  // [s] for which a change against better knowledge stays in question
 constexpr double DRIFT = 0.5;                 // speed at which offsets that agree may change [m/s]
+constexpr double FASTEST_VEHICLE = 3.0;       // the same of positions [m/s]: a lost model drifts anywhere
 constexpr double SQUARE_SHARE = 0.03;         // of the running mean of the squares
 constexpr double MEAN_SHARE = 0.1;            // of the running mean of the innovations
 constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
@@ -52,10 +53,12 @@ bool InnovationGate::isInconsistent(double t) const
 InnovationGate::Verdict InnovationGate::reacquire(const VehicleMeasurement& fix, const core::Vector3& offset)
 {
   const double dt = fix.t - last_refused_;
-  const double apart = (offset - last_offset_).norm();
-  const double reach = 5.0 * fix.stddev().cwiseMin(10.0).norm() + DRIFT * dt;
-  consecutive_rejections_ = consecutive_rejections_ > 0 && apart <= reach ? consecutive_rejections_ + 1 : 1;
+  const double scatter = 5.0 * fix.stddev().cwiseMin(10.0).norm();
+  const bool agrees = (offset - last_offset_).norm() <= scatter + DRIFT * dt ||
+                      (fix.value.value() - last_position_).norm() <= scatter + FASTEST_VEHICLE * dt;
+  consecutive_rejections_ = consecutive_rejections_ > 0 && agrees ? consecutive_rejections_ + 1 : 1;
   last_offset_ = offset;
+  last_position_ = fix.value.value();
   last_refused_ = fix.t;
   const bool is_open = fix.t < reacquisition_until_;
   if (consecutive_rejections_ < (is_open ? REACQUISITION_COUNT : RESET_COUNT))

@@ -1,5 +1,6 @@
 #include "tether_monitor/monitor/estimator/payout_follower.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,13 @@
 
 namespace tether_monitor::monitor
 {
+namespace
+{
+// Of a target that reports, and what they correct, have put ahead of a winch: it is followed as fast as a winch
+// can.
+constexpr double LEAP = 1.0;  // [m]
+}  // namespace
+
 PayoutFollower::PayoutFollower(const Config& config)
   : capacity_(config.winch ? core::WinchDrum(*config.winch, config.tether.diameter).capacity()
                            : std::numeric_limits<double>::infinity())
@@ -51,9 +59,20 @@ bool PayoutFollower::isLeap(const EndTargets& targets, double t, const CableSimu
 {
   if (!targets.payout)
     return false;
-  const double mean = (targets.payout->length - simulation.length()) / (t - simulation.state.time);
-  return std::abs(mean) > PayoutBuffer::FASTEST || std::abs(targets.payout->rate) > PayoutBuffer::FASTEST ||
+  const double apart = std::abs(targets.payout->length - simulation.length());
+  return apart > PayoutBuffer::FASTEST * (t - simulation.state.time) + LEAP ||
          !simulation.model.canRepresentLength(targets.payout->length);
+}
+
+core::PayoutState PayoutFollower::reachable(const core::PayoutState& target, double t,
+                                            const CableSimulation& simulation)
+{
+  constexpr double FASTEST = PayoutBuffer::FASTEST;
+  const double most = FASTEST * (t - simulation.state.time), now = simulation.length();
+  core::PayoutState state = target;
+  state.length = std::clamp(state.length, now - most, now + most);
+  state.rate = std::clamp(state.rate, -FASTEST, FASTEST);
+  return state;
 }
 
 std::optional<core::PayoutTrajectory> PayoutFollower::trajectory(const EndTargets& targets, double t,
@@ -62,13 +81,12 @@ std::optional<core::PayoutTrajectory> PayoutFollower::trajectory(const EndTarget
   if (!targets.payout)
     return std::nullopt;
   return core::PayoutTrajectory::between(simulation.state.time, {simulation.length(), rate_, 0.0}, t,
-                                         *targets.payout);
+                                         reachable(*targets.payout, t, simulation));
 }
 
 void PayoutFollower::reached(const EndTargets& targets)
 {
-  const bool is_usable = targets.payout && std::abs(targets.payout->rate) <= PayoutBuffer::FASTEST;
-  rate_ = is_usable ? targets.payout->rate : 0.0;
+  rate_ = targets.payout ? std::clamp(targets.payout->rate, -PayoutBuffer::FASTEST, PayoutBuffer::FASTEST) : 0.0;
 }
 
 }  // namespace tether_monitor::monitor

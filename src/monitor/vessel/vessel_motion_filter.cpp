@@ -18,7 +18,8 @@ constexpr double FADING_LEAD = 0.15;                          // [s] in which it
 constexpr double FADING_GAIN = 0.3;                           // [1/s] at which fading gets faster, or slower
 constexpr double MOST_EXCESS = 3.0;                           // of the square of what is left over what may be
 constexpr double RAMP_DURATION = 14.0;  // [s] in which waves come on top of the track at the start
-constexpr double FASTEST_ERROR = 10.0;  // rate of the errors that fading leaves [1/s]
+constexpr double SLOWEST_ERROR = 0.3, FASTEST_ERROR = 10.0;  // rates of errors [1/s]
+constexpr double FASTEST_OWN_ERROR = 1.0;                    // of those of the filter itself
 
 double sizeOf(const Correction<double>& left)
 {
@@ -272,8 +273,11 @@ void VesselMotionFilter::addCorrection(Motion& motion) const
   for (int i = 0; i < 3; ++i)
   {
     const double left = sizeOf({correction_.value[i], correction_.rate[i]});
-    motion.position_stddev[i] = std::hypot(motion.position_stddev[i], left);
-    motion.acceleration_stddev[i] = std::hypot(motion.acceleration_stddev[i], fading_[i] * fading_[i] * left);
+    const double own = motion.position_stddev[i];
+    const double own_acceleration =
+        std::min(motion.acceleration_stddev[i], FASTEST_OWN_ERROR * FASTEST_OWN_ERROR * own);
+    motion.position_stddev[i] = std::hypot(own, left);
+    motion.acceleration_stddev[i] = std::hypot(own_acceleration, fading_[i] * fading_[i] * left);
   }
   motion.end.position += correction_.value;
   motion.end.velocity += correction_.rate;
@@ -342,8 +346,8 @@ core::EndMotion VesselMotionFilter::estimateTrack(double t)
 double VesselMotionFilter::errorRate(const Motion& motion)
 {
   return std::clamp(
-      std::sqrt(motion.acceleration_stddev.maxCoeff() / std::max(motion.position_stddev.maxCoeff(), 1e-6)), 0.3,
-      FASTEST_ERROR);
+      std::sqrt(motion.acceleration_stddev.maxCoeff() / std::max(motion.position_stddev.maxCoeff(), 1e-6)),
+      SLOWEST_ERROR, FASTEST_ERROR);
 }
 
 bool VesselMotionFilter::isValid() const

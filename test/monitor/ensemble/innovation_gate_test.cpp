@@ -14,11 +14,11 @@ namespace
 {
 constexpr double STDDEV = 0.3;
 
-// Evaluates a position `offset` off at time t.
-Verdict evaluate(InnovationGate& gate, double t, const Vector3& offset)
+// Evaluates a position `offset` from where it is predicted at time t.
+Verdict evaluate(InnovationGate& gate, double t, const Vector3& offset, const Vector3& predicted = Vector3::Zero())
 {
   const VehicleMeasurement fix{t, VehicleMeasurement::Kind::POSITION,
-                               MeasuredVector::withStddev(Vector3::Zero(), Vector3::Constant(STDDEV))};
+                               MeasuredVector::withStddev(predicted + offset, Vector3::Constant(STDDEV))};
   return gate.evaluate(fix, offset, 1.1 * STDDEV * STDDEV * core::Matrix3::Identity(), core::Matrix3::Zero());
 }
 
@@ -74,6 +74,21 @@ TEST(InnovationGate, GivesWayAfterAGapAndStaysInQuestionOtherwise)
   for (int k = 0; k < 60; ++k)
     evaluate(other, t + k, Vector3::Constant(0.1 * (k % 2)));
   EXPECT_TRUE(other.isInconsistent(t + 60.0)) << "it stays in question which were right";
+}
+
+TEST(InnovationGate, PositionsThatAgreeAreBelievedHoweverTheModelDrifts)
+{
+  InnovationGate gate;
+  gate.start(0.0, 0.0);
+  Verdict verdict = Verdict::REJECT;
+  int t = 1;
+  for (; t <= 30 && verdict == Verdict::REJECT; ++t)
+  {
+    const Vector3 measured(1.5 * t, 0.0, -50.0), predicted(20.0, -4.0 * t, -50.0 + 3.0 * t);
+    verdict = evaluate(gate, t, measured - predicted, predicted);
+  }
+  EXPECT_EQ(verdict, Verdict::REACQUIRE);
+  EXPECT_LE(t, 8);
 }
 
 TEST(InnovationGate, JumpsAreNeverFollowed)

@@ -84,6 +84,23 @@ TEST(Payout, ALeapLetsTheTetherSettleAnewAndSaysSo)
   EXPECT_EQ(feeder.estimator.estimate().status, Status::OK);
 }
 
+TEST(Payout, AReportThatIsAheadOfTheWinchIsFollowedWithoutAStop)
+{
+  EstimatorFixture feeder;
+  feeder.run(1.0);
+  ASSERT_TRUE(feeder.estimator.addPayout(feeder.t, 100.0, 0.0));
+  feeder.run(0.1);
+  ASSERT_TRUE(feeder.estimator.addPayout(feeder.t, 100.3, 4.0));
+  for (int i = 0; i < 20; ++i)
+  {
+    feeder.run(0.05);
+    EXPECT_EQ(feeder.estimator.estimate().status, Status::OK) << i;
+    EXPECT_LE(std::abs(feeder.estimator.estimate().payout_rate), 4.5) << i;
+    feeder.estimator.addPayout(feeder.t, 100.3, 0.0);
+  }
+  EXPECT_NEAR(feeder.estimator.estimate().length, 100.3, 0.05);
+}
+
 TEST(Payout, ASilentWinchDegradesAndInvalidates)
 {
   EstimatorFixture feeder;

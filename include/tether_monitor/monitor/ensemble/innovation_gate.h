@@ -60,8 +60,8 @@ class InnovationGate
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(last_accepted_, last_seen_, reacquisition_until_, consecutive_rejections_, last_offset_, last_refused_,
-      square_, mean_, lasting_, samples_, other_refusals_, inconsistent_until_, report_);
+    a(last_accepted_, last_seen_, reacquisition_until_, consecutive_rejections_, last_offset_, last_position_,
+      last_refused_, square_, mean_, lasting_, samples_, other_refusals_, inconsistent_until_, report_);
   }
 
  private:
@@ -74,7 +74,8 @@ class InnovationGate
   double last_seen_ = 0.0;                               // last position, accepted or not
   double reacquisition_until_ = 0.0;                     // nothing better is known so long
   int consecutive_rejections_ = 0;                       // in a row that agree with each other
-  core::Vector3 last_offset_ = core::Vector3::Zero();
+  core::Vector3 last_offset_ = core::Vector3::Zero(),
+                last_position_ = core::Vector3::Zero();  // of the last rejected
   double last_refused_ = 0.0;
   double square_ = 1.0;  // running mean of the squared distances, over three
   core::Vector3 mean_ = core::Vector3::Zero(), lasting_ = core::Vector3::Zero();

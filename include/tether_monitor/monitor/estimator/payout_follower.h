@@ -34,9 +34,11 @@ class PayoutFollower
   /// Length and rate at time t [s], if reported. Calls in order of t.
   void aim(double t, EndTargets& targets);
 
-  /// True if no winch gets from the simulation's length to the target's by time t [s].
+  /// True if the target's length at time t [s] is farther from the simulation's than any winch, and what reports
+  /// correct, make it.
   bool isLeap(const EndTargets& targets, double t, const CableSimulation& simulation) const;
-  /// From the simulation's length to the target's at time t [s]; none: the length stays.
+  /// From the simulation's length towards the target's at time t [s], as far as a winch gets; none: the length
+  /// stays.
   std::optional<core::PayoutTrajectory> trajectory(const EndTargets& targets, double t,
                                                    const CableSimulation& simulation) const;
   /// The simulation has come to the target, or begins there.
@@ -52,6 +54,8 @@ class PayoutFollower
   }
 
  private:
+  static core::PayoutState reachable(const core::PayoutState& target, double t, const CableSimulation& simulation);
+
   double capacity_;  // of the winch [m]; infinite without one
   PayoutBuffer buffer_;
   PayoutPlausibility plausibility_;
