@@ -51,7 +51,8 @@ struct Score
 {
   double rms = 0.0, ok = 0.0, within_1 = 0.0, within_2 = 0.0;
   double invalid = 0.0;  // [s]
-  bool alarmed = false;  // for the tension
+  bool alarmed =
+      false;  // for the tension: its limit; the warning looks at the edge of the band, which is wide at first
 };
 
 // Times [s]: from `begin` on there are measurements, between `lost_from` and `lost_to` none of the vessel.
@@ -93,7 +94,7 @@ Score observe(const ScenarioFile& scenario, const std::vector<Moment>& moments, 
       estimator.addVehicle(measured(m.time, m.body, std::nan("")));
     const monitor::TetherEstimate& e = estimator.tick(now.t);
     for (const monitor::Alarm& alarm : estimator.alarms().alarms())
-      alarmed = alarmed || (alarm.isAnnunciated() && alarm.definition().name.find("over_tension") == 0);
+      alarmed = alarmed || (alarm.isAnnunciated() && alarm.definition().name == "over_tension");
     if (now.t < when.count_from)
       continue;
     invalid += e.status == monitor::Status::INVALID;

@@ -13,10 +13,12 @@ constexpr std::size_t SNAPSHOTS = 32;
 constexpr double READY_SPEED = 0.3;     // standard deviation of the velocity to begin with [m/s]
 constexpr double INITIAL_WINDOW = 9.5;  // [s] of recent positions to begin with
 constexpr double SLOWEST_FADING = 0.3, FASTEST_FADING = 8.0;  // of a correction [1/s]
-constexpr double LEAST_TOLERABLE = 0.005, TOLERABLE = 0.02;   // [m] of a correction that may be left
-constexpr double FADING_LEAD = 0.15;                          // [s] in which its rate counts with it
-constexpr double FADING_GAIN = 0.3;                           // [1/s] at which fading gets faster, or slower
-constexpr double MOST_EXCESS = 3.0;                           // of the square of what is left over what may be
+// Of a correction that may be left: [m], and standard deviations of the filter.
+constexpr double LEAST_TOLERABLE = 0.02, TOLERABLE = 1.5;
+constexpr double FADING_LEAD = 0.15;    // [s] in which its rate counts with it
+constexpr double FADING_GAIN = 0.1;     // [1/s] at which fading gets faster, or slower
+constexpr double MOST_EXCESS = 3.0;     // of the square of what is left over what may be
+constexpr double LEFT_MEMORY = 5.0;     // [s] of how much is left
 constexpr double RAMP_DURATION = 14.0;  // [s] in which waves come on top of the track at the start
 constexpr double SLOWEST_ERROR = 0.3, FASTEST_ERROR = 10.0;  // rates of errors [1/s]
 constexpr double FASTEST_OWN_ERROR = 1.0;                    // of those of the filter itself
@@ -45,6 +47,7 @@ void VesselMotionFilter::clear()
     recent.clear();
   track_velocity_stddev_.setZero();
   fading_.setConstant(SLOWEST_FADING);
+  left_square_.setZero();
   blending_since_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -258,21 +261,23 @@ void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMot
   for (int i = 0; i < 3; ++i)
   {
     Correction<double> axis{correction_.value[i], correction_.rate[i]};
-    const double tolerable = std::clamp(2.0 * motion.position_stddev[i], LEAST_TOLERABLE, TOLERABLE);
+    const double tolerable = std::max(TOLERABLE * motion.position_stddev[i], LEAST_TOLERABLE);
     const double excess = std::min(std::pow(sizeOf(axis) / tolerable, 2) - 1.0, MOST_EXCESS);
     fading_[i] = std::clamp(fading_[i] * std::exp(FADING_GAIN * dt * excess), SLOWEST_FADING, FASTEST_FADING);
     axis.fade(fading_[i], dt);
     correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
     correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
+    const double left = sizeOf({correction_.value[i], correction_.rate[i]});
+    left_square_[i] += (1.0 - std::exp(-dt / LEFT_MEMORY)) * (left * left - left_square_[i]);
   }
 }
 
-// What has not faded yet is known to be wrong.
+// What has not faded yet is known to be wrong: as much as in the last seconds.
 void VesselMotionFilter::addCorrection(Motion& motion) const
 {
   for (int i = 0; i < 3; ++i)
   {
-    const double left = sizeOf({correction_.value[i], correction_.rate[i]});
+    const double left = std::sqrt(left_square_[i]);
     const double own = motion.position_stddev[i];
     const double own_acceleration =
         std::min(motion.acceleration_stddev[i], FASTEST_OWN_ERROR * FASTEST_OWN_ERROR * own);
@@ -357,7 +362,7 @@ bool VesselMotionFilter::isValid() const
   bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.axes) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
                areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
-               fading_.minCoeff() > 0.0 && fading_.allFinite() && correction_.rate.allFinite() &&
+               fading_.minCoeff() > 0.0 && (fading_ + left_square_).allFinite() && correction_.rate.allFinite() &&
                ramp_track_.position.allFinite() && ramp_track_.velocity.allFinite() &&
                track_velocity_stddev_.allFinite() && blending_since_ <= last_output_time_;
   for (std::size_t i = 0; i < log_.size(); ++i)

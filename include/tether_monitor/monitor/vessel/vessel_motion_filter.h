@@ -81,7 +81,7 @@ class VesselMotionFilter
   void serialize(Archive& a)
   {
     a(estimate_, position_windows_, noise_, velocity_noise_, log_, snapshots_, last_measured_, last_output_,
-      last_output_time_, correction_, fading_, ramp_track_, track_velocity_stddev_, blending_since_);
+      last_output_time_, correction_, fading_, left_square_, ramp_track_, track_velocity_stddev_, blending_since_);
   }
 
  private:
@@ -123,6 +123,7 @@ class VesselMotionFilter
   double last_output_time_ = 0.0;                                // time of it
   Correction<core::Vector3> correction_;                         // of what was shown from what is known
   core::Vector3 fading_ = core::Vector3::Zero();                 // of that, by axis [1/s]
+  core::Vector3 left_square_ = core::Vector3::Zero();            // mean square of what is left of it [m^2]
   core::EndMotion ramp_track_;                                   // of the track that it began to blend
   core::Vector3 track_velocity_stddev_ = core::Vector3::Zero();  // of its velocity
   double blending_since_;
