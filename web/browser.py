@@ -31,9 +31,13 @@ class Browser:
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
         self.complaints = []  # errors and warnings of the console, exceptions, requests that failed
-        self.socket = self.wait(self.connect())
-        for domain in ("Page", "Runtime", "Log", "Performance"):
-            self.call(domain + ".enable")
+        try:
+            self.socket = self.wait(self.connect())
+            for domain in ("Page", "Runtime", "Log", "Performance"):
+                self.call(domain + ".enable")
+        except BaseException:
+            self.__exit__()
+            raise
 
     def __enter__(self):
         return self

@@ -1,13 +1,18 @@
 """The operator page's server: files, and a websocket that sends what is new five times a second."""
+import asyncio
+import concurrent.futures
+import datetime
 import hmac
 import ipaddress
 import json
 import os
 import socket
+import threading
 import time
 
 import tornado.gen
 import tornado.ioloop
+import tornado.locks
 import tornado.web
 import tornado.websocket
 
@@ -15,6 +20,7 @@ PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page")
 D3 = "/usr/share/javascript/d3/d3.min.js"  # Debian's and Ubuntu's libjs-d3
 PERIOD = 0.2           # [s] between two frames
 STUCK = 15.0           # [s] that a client may take for one frame before it is let go
+ANSWER = 3.0           # [s] that the monitor has to answer an action
 LONGEST_MESSAGE = 2000  # bytes that a page may send at once
 MOST_CLIENTS = 50
 WRONG_KEY_WAIT = 1.0   # [s] that an answer to a wrong key takes
@@ -84,20 +90,22 @@ class Live(Guarded, tornado.websocket.WebSocketHandler):
         return tornado.websocket.WebSocketHandler.check_origin(self, origin)
 
     def open(self):
-        self.seen, self.sending, self.sending_since, self.wrong_keys = {}, False, 0.0, 0
+        self.seen, self.sent_at, self.frame, self.seen_frame = {}, 0.0, 0, 0
+        self.wrong_keys, self.is_busy = 0, False
         if not self.desk.add(self):
             self.close(1013, "too many pages are open")
             return
         self.set_nodelay(True)
         self.send([as_json("welcome", dict(monitor=self.desk.telemetry.monitor, may_act=bool(self.desk.key), period=PERIOD)),
-                   as_json("history", self.desk.telemetry.past())])
+                   as_json("history", self.desk.telemetry.past())], self.desk.telemetry.is_lost())
 
     def on_close(self):
         self.desk.remove(self)
 
-    def send(self, texts):
-        self.sending, self.sending_since = True, time.monotonic()
-        tornado.ioloop.IOLoop.current().spawn_callback(self.deliver, texts)
+    def send(self, texts, lost=True):
+        """With a pulse at the end, which the page sends back: what is under way to a slow page is one frame."""
+        self.frame, self.sent_at = self.frame + 1, time.monotonic()
+        tornado.ioloop.IOLoop.current().spawn_callback(self.deliver, texts + [as_json("pulse", dict(lost=lost, frame=self.frame))])
 
     async def deliver(self, texts):
         try:
@@ -105,38 +113,40 @@ class Live(Guarded, tornado.websocket.WebSocketHandler):
                 await self.write_message(text)
         except (tornado.websocket.WebSocketClosedError, tornado.iostream.StreamClosedError):
             pass
-        self.sending = False
 
     def push(self, lost):
-        if self.sending:
-            if time.monotonic() - self.sending_since > STUCK:
+        if self.seen_frame < self.frame:
+            if time.monotonic() - self.sent_at > STUCK:
                 self.desk.remove(self)
                 stream = getattr(self.ws_connection, "stream", None)
                 if stream:
                     stream.close()
             return
-        news = [self.desk.text(kind, values) for kind, values in self.desk.telemetry.since(self.seen)]
-        self.send(news + [as_json("pulse", dict(lost=lost))])
+        self.send([self.desk.text(kind, values) for kind, values in self.desk.telemetry.since(self.seen)], lost)
 
-    async def on_message(self, text):
+    def on_message(self, text):
+        if self not in self.desk.pages:
+            return
         try:
             wish = json.loads(text)
-            action, name = wish["action"], wish["name"]
-            seconds, key = float(wish.get("seconds", 0.0)), str(wish.get("key", ""))
-        except (ValueError, KeyError, TypeError, AttributeError):
-            return await self.answer(False, "that is no action on an alarm")
-        if not self.desk.key:
-            return await self.answer(False, "this page only shows: the server was started without a key")
-        if not hmac.compare_digest(key.encode("utf-8", "replace"), self.desk.key.encode("utf-8")):
-            self.wrong_keys += 1
-            await tornado.gen.sleep(WRONG_KEY_WAIT)
-            if self.wrong_keys >= MOST_WRONG_KEYS:
-                return self.close(1008, "wrong key")
-            return await self.answer(False, "wrong key")
-        if action not in ACTIONS or not isinstance(name, str) or not 0.0 <= seconds <= LONGEST_SHELVING:
-            return await self.answer(False, "one of %s, of an alarm by its name" % ", ".join(ACTIONS))
-        succeeded, why = await tornado.ioloop.IOLoop.current().run_in_executor(None, self.desk.act, name, action, seconds)
-        await self.answer(succeeded, why or "%s: %s" % (action, name))
+            if "frame" in wish:
+                self.seen_frame = max(self.seen_frame, min(int(wish["frame"]), self.frame))
+                return
+            wanted = wish["action"], wish["name"], float(wish.get("seconds", 0.0)), str(wish.get("key", ""))
+        except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
+            wanted = None
+        # Frames go on meanwhile.
+        if not self.is_busy:
+            self.is_busy = True
+            tornado.ioloop.IOLoop.current().spawn_callback(self.obey, wanted)
+
+    async def obey(self, wanted):
+        """One wish at a time: what comes while it is under way is passed over."""
+        succeeded, text = await self.desk.fulfil(self, wanted)
+        self.is_busy = False
+        if self.wrong_keys >= MOST_WRONG_KEYS:
+            return self.close(1008, "wrong key")
+        await self.answer(succeeded, text)
 
     async def answer(self, succeeded, text):
         try:
@@ -154,6 +164,45 @@ class Desk:
         self.hosts = Hosts(hosts)
         self.pages = set()
         self.texts = {}
+        self.key_check = tornado.locks.Lock()
+
+    async def is_key(self, key):
+        """Pages wait for each other: a wrong key costs all of them a second."""
+        async with self.key_check:
+            is_right = hmac.compare_digest(key.encode("utf-8", "replace"), self.key.encode("utf-8"))
+            if not is_right:
+                await tornado.gen.sleep(WRONG_KEY_WAIT)
+        return is_right
+
+    async def fulfil(self, page, wanted):
+        """@return whether it was done, and a text for the page."""
+        if not wanted:
+            return False, "that is no action on an alarm"
+        action, name, seconds, key = wanted
+        if not self.key:
+            return False, "this page only shows: the server was started without a key"
+        if not await self.is_key(key):
+            page.wrong_keys += 1
+            return False, "wrong key"
+        if action not in ACTIONS or not isinstance(name, str) or not 0.0 <= seconds <= LONGEST_SHELVING:
+            return False, "one of %s, of an alarm by its name" % ", ".join(ACTIONS)
+        succeeded, why = await self.do(name, action, seconds)
+        return succeeded, why or "%s: %s" % (action, name)
+
+    async def do(self, name, action, seconds):
+        """What a monitor that hangs never answers is left to its thread."""
+        answer = concurrent.futures.Future()
+
+        def run():
+            try:
+                answer.set_result(self.act(name, action, seconds))
+            except Exception as error:  # whatever it is, the page is told
+                answer.set_result((False, str(error)))
+        threading.Thread(target=run, daemon=True).start()
+        try:
+            return await tornado.gen.with_timeout(datetime.timedelta(seconds=ANSWER), asyncio.wrap_future(answer))
+        except tornado.gen.TimeoutError:
+            return False, "the monitor does not answer"
 
     def add(self, page):
         if len(self.pages) >= MOST_CLIENTS:

@@ -240,6 +240,7 @@ void EstimatorRunner::step(const ros::Time& now)
     transforms_.clear();
     transform_poses_.clear();
     early_.clear();
+    adapter_.clearFixes();
     diagnostics_.statistics.clear();
     last_alarms_ = ros::Time();
   }

@@ -127,8 +127,10 @@ void SimulatorNode::subscribeToCommands()
     {
       const core::Wrench thrust{vector(message.force), vector(message.torque)};
       if (thrust.force.allFinite() && thrust.torque.allFinite())
+      {
         simulator_.commandThrust(thrust);
-      thrust_commanded_at_ = time_;
+        thrust_commanded_at_ = time_;
+      }
     };
     thrust_command_ = nh_.subscribe<geometry_msgs::Wrench>("vehicle/command", 1, obey);
   }
@@ -151,7 +153,14 @@ bool SimulatorNode::mustWait()
   const ros::WallTime now = ros::WallTime::now();
   if (!waits || waits_since_.isZero())
     waits_since_ = waits ? now : ros::WallTime();
-  return waits && (now - waits_since_).toSec() < LONGEST_WAIT;
+  if (!waits || (now - waits_since_).toSec() < LONGEST_WAIT)
+    return waits;
+  // Who has ended is not waited for again until it commands again.
+  if (isLate(winch_commanded_at_))
+    winch_commanded_at_ = -1e300;
+  if (isLate(thrust_commanded_at_))
+    thrust_commanded_at_ = -1e300;
+  return false;
 }
 
 // A winch whose controller is gone stops.

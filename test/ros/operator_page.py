@@ -148,6 +148,8 @@ class Client:
                 if text is None:
                     raise RuntimeError("closed: %s" % self.socket.close_reason)
                 message = json.loads(text)
+                if message["kind"] == "pulse":
+                    await self.socket.write_message(json.dumps(dict(frame=message["values"]["frame"])))
                 if message["kind"] == kind:
                     return message["values"]
         return self.loop.run_sync(awaited, timeout=seconds)

@@ -136,6 +136,25 @@ TEST(AcousticNavigation, KnowsTheTensionInASeaway)
   EXPECT_GT(two / runs, 0.9);
 }
 
+// No filter predicts the stern of a ship in an irregular sea: what it does not follow is in the band.
+TEST(AcousticNavigation, TheBandHoldsInAnIrregularSea)
+{
+  const ScenarioFile scenario("dive");
+  const std::vector<Moment> moments = play(scenario, 150.0);
+  double one = 0.0, two = 0.0;
+  const std::vector<unsigned> seeds{31u, 32u};
+  for (const unsigned seed : seeds)
+  {
+    const Score score = observe(scenario, moments, seed, {0.0, 60.0});
+    EXPECT_LT(score.rms, 0.25) << seed;
+    EXPECT_LT(score.invalid, 10.0) << seed;
+    one += score.within_1 / seeds.size();
+    two += score.within_2 / seeds.size();
+  }
+  EXPECT_GT(one, 0.55);
+  EXPECT_GT(two, 0.88);
+}
+
 // It begins while the waves throw ship and tether into a motion that is far from any steady state.
 TEST(AcousticNavigation, BeginsInTheMiddleOfATransient)
 {

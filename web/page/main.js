@@ -46,7 +46,11 @@ const take = {
   },
   history(values) { chart.begin(values); },
   state(values) { chart.append(values); },
-  pulse(values) { isLost = values.lost; },
+  pulse(values) {
+    isLost = values.lost;
+    socket.send(JSON.stringify({ frame: values.frame }));
+  },
+  alarms() { warn(); },
   answer(values) { id("answer").textContent = (values.succeeded ? "Done: " : "Not done: ") + values.text; }
 };
 
@@ -96,12 +100,24 @@ function draw() {
   views.forEach((view) => view.draw(state, latest.scene, isNight));
 }
 
+// Silence is as grave as anything. Also called with every message: timers of a page in the background are slow.
+function warn() {
+  const isBlind = latest.state && !id("cover").hidden;
+  sound.update(isBlind ? 0 : latest.alarms ? gravest(latest.alarms) : null);
+}
+
 function refresh() {
   cover();
-  sound.update(latest.alarms ? gravest(latest.alarms) : null);
-  if (isDirty && !document.hidden) {
-    isDirty = false;
+  warn();
+  if (!isDirty || document.hidden) return;
+  isDirty = false;
+  try {
     draw();
+  } catch (error) {
+    console.error(error);
+    id("cover").hidden = false;
+    id("cover-word").textContent = "This page has failed";
+    id("cover-text").textContent = "What is below may be of any time. Load the page again.";
   }
 }
 

@@ -3,7 +3,7 @@ import { degrees, duration, figures, force, UNKNOWN, withBand, withUnit } from "
 
 const id = (name) => document.getElementById(name);
 const WARNING_SHARE = 0.8, LIKELY = 0.5, POSSIBLE = 0.05;
-const LATE = 2, GONE = 10;  // [s]
+const LATE = 2, GONE = 10, FORECAST_LIFE = 10;  // [s]
 
 export function drawStatus(state, inputs) {
   const reason = state.reason === "NONE" ? "" : state.reason.toLowerCase().replace(/_/g, " ");
@@ -24,6 +24,8 @@ function drawEnd(state, end) {
   level(id(end + "-tension"), state.max_tension > 0 ? state.working_utilisation * tension / state.max_tension : 0);
 }
 
+const isOfNow = (forecast, state) => Boolean(forecast) && forecast.members > 0 && Math.abs(state.t - forecast.t) < FORECAST_LIFE;
+
 export function drawFigures(state, forecast) {
   drawEnd(state, "vessel");
   drawEnd(state, "vehicle");
@@ -31,7 +33,7 @@ export function drawFigures(state, forecast) {
   id("max-place").textContent = state.max_tension === null ? ""
     : figures(100 * state.working_utilisation, 2) + " % of the working load, at s = " + Math.round(state.max_tension_s) + " m";
   level(id("max-tension"), state.working_utilisation || 0);
-  const isThere = forecast && forecast.members > 0 && Math.abs(state.t - forecast.t) < 10;
+  const isThere = isOfNow(forecast, state);
   const probability = isThere ? forecast.probability_over_tension : null;
   id("probability").textContent = probability === null ? UNKNOWN : figures(100 * probability, 2) + " %";
   id("time-to-limit").textContent = !isThere ? "no forecast" : forecast.time_to_limit !== null ? "limit in " + duration(forecast.time_to_limit)
@@ -55,7 +57,7 @@ export function drawTether(state, forecast, alarms) {
     ["tightest bend", state.min_bend_radius > 1000 ? "> 1 km" : withUnit(state.min_bend_radius, "m")],
     ["on the seabed", withUnit(state.seabed_contact_length, "m")],
     ["vehicle known to", withUnit(state.vehicle_position_stddev, "m", 2)],
-    ["slack ahead", forecast && forecast.members > 0 ? figures(100 * forecast.probability_slack, 2) + " %" : UNKNOWN],
+    ["slack ahead", isOfNow(forecast, state) ? figures(100 * forecast.probability_slack, 2) + " %" : UNKNOWN],
     ["of breaking load", known(state.breaking_utilisation) ? figures(100 * state.breaking_utilisation, 2) + " %" : UNKNOWN]];
   id("tether").querySelector("dl").replaceChildren(...rows.flatMap(([term, text]) => {
     const dt = document.createElement("dt"), dd = document.createElement("dd");

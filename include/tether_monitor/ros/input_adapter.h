@@ -48,6 +48,8 @@ class InputAdapter
   void setTimeBase(const TimeOrigin& base) { time_ = base; }
   /// Of the vehicle, for those who look at them.
   const RecentFixes& fixes() const { return fixes_; }
+  /// The clock has jumped.
+  void clearFixes() { fixes_.clear(); }
 
   /// Of the motion of a body: what MotionInputAdapter or SensorInputAdapter takes.
   template <typename Message>

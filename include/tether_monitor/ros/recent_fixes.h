@@ -26,6 +26,7 @@ class RecentFixes
 
   /// One without a horizontal place, or too soon after the one before, is left out.
   void add(const monitor::PoseMeasurement& pose);
+  void clear() { fixes_.clear(); }
 
   /// Calls use(fix) for each that is at most MEMORY old at time t [s] and not of the time after, oldest first.
   template <typename Use>

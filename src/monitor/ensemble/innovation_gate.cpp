@@ -22,6 +22,14 @@ constexpr double MEAN_SHARE = 0.1;            // of the running mean of the inno
 constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
 constexpr double BIAS_CHI2_FAULT = 20.0;  // squared normalized_innovation_mean that chance does not explain
 constexpr int OTHER_RESET_COUNT = 60;     // refused readings of tension, direction or velocity in a row
+// 1 for every axis that a position measures.
+core::Vector3 axesOf(const VehicleMeasurement& fix)
+{
+  core::Vector3 axes = core::Vector3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    axes[axis] = fix.measuresPosition(axis) ? 1.0 : 0.0;
+  return axes;
+}
 }  // namespace
 
 void InnovationGate::start(double t, double measured)
@@ -31,7 +39,7 @@ void InnovationGate::start(double t, double measured)
   *this = InnovationGate();
   inconsistent_until_ = inconsistent_until;
   last_accepted_.setConstant(measured);
-  last_seen_ = t;
+  last_seen_.setConstant(t);
   reacquisition_until_ = t + REACQUISITION_WINDOW;
   report_.accepted = report.accepted;
   report_.refused = report.refused;
@@ -53,12 +61,17 @@ bool InnovationGate::isInconsistent(double t) const
 InnovationGate::Verdict InnovationGate::reacquire(const VehicleMeasurement& fix, const core::Vector3& offset)
 {
   const double dt = fix.t - last_refused_;
+  // A depth says nothing of a place: what both have measured is compared.
+  const core::Vector3 axes = axesOf(fix);
+  const core::Vector3 both = axes.cwiseProduct(refused_axes_);
   const double scatter = 5.0 * fix.stddev().cwiseMin(10.0).norm();
-  const bool agrees = (offset - last_offset_).norm() <= scatter + DRIFT * dt ||
-                      (fix.value.value() - last_position_).norm() <= scatter + FASTEST_VEHICLE * dt;
+  const double apart = both.cwiseProduct(offset - last_offset_).norm();
+  const double moved = both.cwiseProduct(fix.value.value() - last_position_).norm();
+  const bool agrees = !both.isZero() && (apart <= scatter + DRIFT * dt || moved <= scatter + FASTEST_VEHICLE * dt);
   consecutive_rejections_ = consecutive_rejections_ > 0 && agrees ? consecutive_rejections_ + 1 : 1;
   last_offset_ = offset;
   last_position_ = fix.value.value();
+  refused_axes_ = axes;
   last_refused_ = fix.t;
   const bool is_open = fix.t < reacquisition_until_;
   if (consecutive_rejections_ < (is_open ? REACQUISITION_COUNT : RESET_COUNT))
@@ -91,6 +104,18 @@ void InnovationGate::updateStatistics(const VehicleMeasurement& fix, const core:
       mean_.cwiseQuotient((left + (1.0 - left) * lasting_.array()).sqrt().matrix()).norm();
 }
 
+// A depth that comes on is no place: every axis has its own gaps.
+void InnovationGate::noteSeen(const VehicleMeasurement& fix)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    if (fix.measuresPosition(axis))
+    {
+      if (fix.t - last_seen_[axis] > GAP)
+        reacquisition_until_ = fix.t + REACQUISITION_WINDOW;
+      last_seen_[axis] = std::max(last_seen_[axis], fix.t);
+    }
+}
+
 InnovationGate::Verdict InnovationGate::evaluateOther(double square)
 {
   if (square < CHI2_3DOF_0999)
@@ -112,9 +137,7 @@ InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, 
   const double square = innovation.dot(covariance.ldlt().solve(innovation));
   if (fix.kind != VehicleMeasurement::Kind::POSITION)
     return evaluateOther(square);
-  if (fix.t - last_seen_ > GAP)
-    reacquisition_until_ = fix.t + REACQUISITION_WINDOW;
-  last_seen_ = std::max(last_seen_, fix.t);
+  noteSeen(fix);
   const core::Vector3 expected = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   report_.last = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -122,7 +145,8 @@ InnovationGate::Verdict InnovationGate::evaluate(const VehicleMeasurement& fix, 
   Verdict verdict = Verdict::ACCEPT;
   if (square < CHI2_3DOF_0999 * noiseVarianceScale())
   {
-    consecutive_rejections_ = 0;
+    if (!axesOf(fix).cwiseProduct(refused_axes_).isZero())
+      consecutive_rejections_ = 0;
     const core::Vector3 share =
         lasting.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(0.0).cwiseMin(1.0);
     updateStatistics(fix, innovation.cwiseQuotient(expected), share, square);

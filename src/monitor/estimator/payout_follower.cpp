@@ -70,23 +70,30 @@ core::PayoutState PayoutFollower::reachable(const core::PayoutState& target, dou
   constexpr double FASTEST = PayoutBuffer::FASTEST;
   const double most = FASTEST * (t - simulation.state.time), now = simulation.length();
   core::PayoutState state = target;
-  state.length = std::clamp(state.length, now - most, now + most);
   state.rate = std::clamp(state.rate, -FASTEST, FASTEST);
+  if (std::abs(state.length - now) > most)
+  {
+    state.rate = state.length > now ? FASTEST : -FASTEST;
+    state.length = now + std::copysign(most, state.rate);
+  }
   return state;
 }
 
 std::optional<core::PayoutTrajectory> PayoutFollower::trajectory(const EndTargets& targets, double t,
-                                                                 const CableSimulation& simulation) const
+                                                                 const CableSimulation& simulation)
 {
   if (!targets.payout)
     return std::nullopt;
-  return core::PayoutTrajectory::between(simulation.state.time, {simulation.length(), rate_, 0.0}, t,
-                                         reachable(*targets.payout, t, simulation));
+  const core::PayoutState aim = reachable(*targets.payout, t, simulation);
+  aimed_rate_ = aim.rate;
+  return core::PayoutTrajectory::between(simulation.state.time, {simulation.length(), rate_, 0.0}, t, aim);
 }
 
 void PayoutFollower::reached(const EndTargets& targets)
 {
-  rate_ = targets.payout ? std::clamp(targets.payout->rate, -PayoutBuffer::FASTEST, PayoutBuffer::FASTEST) : 0.0;
+  const double reported = targets.payout ? targets.payout->rate : 0.0;
+  rate_ = std::clamp(aimed_rate_.value_or(reported), -PayoutBuffer::FASTEST, PayoutBuffer::FASTEST);
+  aimed_rate_.reset();
 }
 
 }  // namespace tether_monitor::monitor

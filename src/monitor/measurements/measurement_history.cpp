@@ -8,9 +8,10 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double SAME_TIME = 1e-6;  // [s]
-constexpr double COARSE = 0.005;    // [m]: noise that never gives the same number thrice
-constexpr int FROZEN = 3;           // equal positions in a row that cannot be measurements
+constexpr double SAME_TIME = 1e-6;   // [s]
+constexpr double SAME_PLACE = 1e-3;  // [m]: what came twice may be seen with another attitude of the moment
+constexpr double COARSE = 0.005;     // [m]: noise that never gives the same number thrice
+constexpr int FROZEN = 3;            // equal positions in a row that cannot be measurements
 constexpr double UNMEASURED_VARIANCE = 1e12;
 
 // A position whose axes that were not measured are always equal.
@@ -31,7 +32,7 @@ bool isSame(const VehicleMeasurement& a, const VehicleMeasurement& b)
   {
     const bool is_measured = a.value.isMeasured(axis);
     same = same && is_measured == b.value.isMeasured(axis);
-    same = same && (!is_measured || a.value.value()[axis] == b.value.value()[axis]);
+    same = same && (!is_measured || std::abs(a.value.value()[axis] - b.value.value()[axis]) <= SAME_PLACE);
   }
   return same;
 }

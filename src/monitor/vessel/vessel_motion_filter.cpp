@@ -277,7 +277,8 @@ void VesselMotionFilter::addCorrection(Motion& motion) const
 {
   for (int i = 0; i < 3; ++i)
   {
-    const double left = std::sqrt(left_square_[i]);
+    const double now = sizeOf({correction_.value[i], correction_.rate[i]});
+    const double left = std::max(std::sqrt(left_square_[i]), 0.5 * now);
     const double own = motion.position_stddev[i];
     const double own_acceleration =
         std::min(motion.acceleration_stddev[i], FASTEST_OWN_ERROR * FASTEST_OWN_ERROR * own);
@@ -362,7 +363,8 @@ bool VesselMotionFilter::isValid() const
   bool sound = log_.size() <= CAPACITY && snapshots_.size() <= SNAPSHOTS && areSound(estimate_.axes) &&
                areSound(last_output_) && areSound(position_windows_) && areSound(noise_) &&
                areSound(velocity_noise_) && std::isfinite(last_output_time_) && correction_.value.allFinite() &&
-               fading_.minCoeff() > 0.0 && (fading_ + left_square_).allFinite() && correction_.rate.allFinite() &&
+               fading_.minCoeff() >= SLOWEST_FADING && fading_.maxCoeff() <= FASTEST_FADING &&
+               left_square_.minCoeff() >= 0.0 && left_square_.allFinite() && correction_.rate.allFinite() &&
                ramp_track_.position.allFinite() && ramp_track_.velocity.allFinite() &&
                track_velocity_stddev_.allFinite() && blending_since_ <= last_output_time_;
   for (std::size_t i = 0; i < log_.size(); ++i)

@@ -91,6 +91,29 @@ TEST(InnovationGate, PositionsThatAgreeAreBelievedHoweverTheModelDrifts)
   EXPECT_LE(t, 8);
 }
 
+TEST(InnovationGate, ADepthThatFitsDoesNotHideALostPlace)
+{
+  InnovationGate gate;
+  gate.start(0.0, 0.0);
+  const core::Matrix3 covariance = 1.1 * STDDEV * STDDEV * core::Matrix3::Identity();
+  Verdict verdict = Verdict::REJECT;
+  int t = 1;
+  for (; t <= 30 && verdict == Verdict::REJECT; ++t)
+  {
+    MeasuredVector place = MeasuredVector::withStddev({0.0, 40.0, 0.0}, Vector3::Constant(STDDEV)), depth = place;
+    place.setNotMeasured(2);
+    depth.setNotMeasured(0);
+    depth.setNotMeasured(1);
+    verdict = gate.evaluate({1.0 * t, VehicleMeasurement::Kind::POSITION, place}, {0.0, 40.0, 0.0}, covariance,
+                            core::Matrix3::Zero());
+    EXPECT_EQ(gate.evaluate({t + 0.5, VehicleMeasurement::Kind::POSITION, depth}, Vector3::Zero(), covariance,
+                            core::Matrix3::Zero()),
+              Verdict::ACCEPT);
+  }
+  EXPECT_EQ(verdict, Verdict::REACQUIRE);
+  EXPECT_LE(t, 8);
+}
+
 TEST(InnovationGate, JumpsAreNeverFollowed)
 {
   InnovationGate gate = trusting();

@@ -67,17 +67,19 @@ class InnovationGate
  private:
   Verdict evaluateOther(double square);
   Verdict reacquire(const VehicleMeasurement& fix, const core::Vector3& offset);
+  void noteSeen(const VehicleMeasurement& fix);
   void updateStatistics(const VehicleMeasurement& fix, const core::Vector3& scaled, const core::Vector3& lasting,
                         double square);
 
   core::Vector3 last_accepted_ = core::Vector3::Zero();  // of every axis
-  double last_seen_ = 0.0;                               // last position, accepted or not
+  core::Vector3 last_seen_ = core::Vector3::Zero();      // last position of every axis, accepted or not
   double reacquisition_until_ = 0.0;                     // nothing better is known so long
   int consecutive_rejections_ = 0;                       // in a row that agree with each other
   core::Vector3 last_offset_ = core::Vector3::Zero(),
                 last_position_ = core::Vector3::Zero();  // of the last rejected
   double last_refused_ = 0.0;
-  double square_ = 1.0;  // running mean of the squared distances, over three
+  core::Vector3 refused_axes_ = core::Vector3::Zero();  // 1 for those that the last rejected one measured
+  double square_ = 1.0;                                 // running mean of the squared distances, over three
   core::Vector3 mean_ = core::Vector3::Zero(), lasting_ = core::Vector3::Zero();
   int samples_ = 0;
   int other_refusals_ = 0;  // of what is no position, in a row
