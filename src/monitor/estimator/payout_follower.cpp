@@ -12,7 +12,8 @@ namespace
 {
 // Of a target that reports, and what they correct, have put ahead of a winch: it is followed as fast as a winch
 // can.
-constexpr double LEAP = 1.0;  // [m]
+constexpr double LEAP = 1.0;      // [m]
+constexpr double CATCH_UP = 2.0;  // so many times as fast as a winch may the tether follow
 }  // namespace
 
 PayoutFollower::PayoutFollower(const Config& config)
@@ -68,14 +69,10 @@ core::PayoutState PayoutFollower::reachable(const core::PayoutState& target, dou
                                             const CableSimulation& simulation)
 {
   constexpr double FASTEST = PayoutBuffer::FASTEST;
-  const double most = FASTEST * (t - simulation.state.time), now = simulation.length();
+  const double most = CATCH_UP * FASTEST * (t - simulation.state.time), now = simulation.length();
   core::PayoutState state = target;
+  state.length = std::clamp(state.length, now - most, now + most);
   state.rate = std::clamp(state.rate, -FASTEST, FASTEST);
-  if (std::abs(state.length - now) > most)
-  {
-    state.rate = state.length > now ? FASTEST : -FASTEST;
-    state.length = now + std::copysign(most, state.rate);
-  }
   return state;
 }
 

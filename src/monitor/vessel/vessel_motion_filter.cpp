@@ -15,11 +15,13 @@ constexpr double INITIAL_WINDOW = 9.5;  // [s] of recent positions to begin with
 constexpr double SLOWEST_FADING = 0.3, FASTEST_FADING = 8.0;  // of a correction [1/s]
 // Of a correction that may be left: [m], and standard deviations of the filter.
 constexpr double LEAST_TOLERABLE = 0.02, TOLERABLE = 1.5;
-constexpr double FADING_LEAD = 0.15;    // [s] in which its rate counts with it
-constexpr double FADING_GAIN = 0.1;     // [1/s] at which fading gets faster, or slower
-constexpr double MOST_EXCESS = 3.0;     // of the square of what is left over what may be
-constexpr double LEFT_MEMORY = 5.0;     // [s] of how much is left
-constexpr double RAMP_DURATION = 14.0;  // [s] in which waves come on top of the track at the start
+constexpr double FADING_LEAD = 0.15;          // [s] in which its rate counts with it
+constexpr double FADING_GAIN = 0.1;           // [1/s] at which fading gets faster, or slower
+constexpr double MOST_EXCESS = 3.0;           // of the square of what is left over what may be
+constexpr double LARGE_VARIANCE_RATIO = 3.0;  // squared innovations over what they should be: it does not predict
+constexpr double MOST_BY_SURPRISE = 10.0;     // how much faster corrections fade then
+constexpr double LEFT_MEMORY = 5.0;           // [s] of how much is left
+constexpr double RAMP_DURATION = 14.0;        // [s] in which waves come on top of the track at the start
 constexpr double SLOWEST_ERROR = 0.3, FASTEST_ERROR = 10.0;  // rates of errors [1/s]
 constexpr double FASTEST_OWN_ERROR = 1.0;                    // of those of the filter itself
 
@@ -246,7 +248,10 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
   }
   const double dt = t - last_output_time_;
   if (dt > 0.0)
-    fadeCorrection(motion, motionOf(last_output_, t).end, dt);
+    fadeCorrection(
+        motion, motionOf(last_output_, t).end,
+        {now[0].innovationVarianceRatio(), now[1].innovationVarianceRatio(), now[2].innovationVarianceRatio()},
+        dt);
   last_output_ = now;
   last_output_time_ = t;
   addCorrection(motion);
@@ -256,7 +261,8 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
 
 // What the measurements of the last dt have changed, and its critically damped fading: so fast that little is
 // left.
-void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMotion& expected, double dt)
+void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMotion& expected,
+                                        const core::Vector3& ratio, double dt)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -264,7 +270,8 @@ void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMot
     const double tolerable = std::max(TOLERABLE * motion.position_stddev[i], LEAST_TOLERABLE);
     const double excess = std::min(std::pow(sizeOf(axis) / tolerable, 2) - 1.0, MOST_EXCESS);
     fading_[i] = std::clamp(fading_[i] * std::exp(FADING_GAIN * dt * excess), SLOWEST_FADING, FASTEST_FADING);
-    axis.fade(fading_[i], dt);
+    const double by_surprise = SLOWEST_FADING * std::clamp(ratio[i] / LARGE_VARIANCE_RATIO, 1.0, MOST_BY_SURPRISE);
+    axis.fade(std::max(fading_[i], by_surprise), dt);
     correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
     correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);
     const double left = sizeOf({correction_.value[i], correction_.rate[i]});
