@@ -147,7 +147,7 @@ TEST(AcousticNavigation, TheBandHoldsInAnIrregularSea)
   {
     const Score score = observe(scenario, moments, seed, {0.0, 60.0});
     EXPECT_LT(score.rms, 0.25) << seed;
-    EXPECT_LT(score.invalid, 10.0) << seed;
+    EXPECT_LT(score.invalid, 40.0) << seed << ": a band that is too wide says so";
     one += score.within_1 / seeds.size();
     two += score.within_2 / seeds.size();
   }
