@@ -130,7 +130,10 @@ class Browser:
         metrics = self.call("Performance.getMetrics")["metrics"]
         return next(m["value"] for m in metrics if m["name"] == "JSHeapUsedSize")
 
+    def png(self):
+        """What it shows, as the bytes of a PNG file."""
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+
     def picture(self, path):
-        data = self.call("Page.captureScreenshot", format="png")["data"]
         with open(path, "wb") as out:
-            out.write(base64.b64decode(data))
+            out.write(self.png())

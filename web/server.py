@@ -84,10 +84,10 @@ class Library(Guarded, tornado.web.RequestHandler):
 
 
 class Live(Guarded, tornado.websocket.WebSocketHandler):
-    """One open page. It is sent the newest of everything; a page that is slow misses frames and keeps nobody waiting."""
-
-    def check_origin(self, origin):
-        return tornado.websocket.WebSocketHandler.check_origin(self, origin)
+    """
+    One open page, of this server's own origin: tornado checks it. It is sent the newest of everything; a page that is slow misses
+    frames and keeps nobody waiting.
+    """
 
     def open(self):
         self.seen, self.sent_at, self.frame, self.seen_frame = {}, 0.0, 0, 0
@@ -102,7 +102,7 @@ class Live(Guarded, tornado.websocket.WebSocketHandler):
     def on_close(self):
         self.desk.remove(self)
 
-    def send(self, texts, lost=True):
+    def send(self, texts, lost):
         """With a pulse at the end, which the page sends back: what is under way to a slow page is one frame."""
         self.frame, self.sent_at = self.frame + 1, time.monotonic()
         tornado.ioloop.IOLoop.current().spawn_callback(self.deliver, texts + [as_json("pulse", dict(lost=lost, frame=self.frame))])

@@ -132,10 +132,10 @@ class Telemetry:
             self.latest[kind] = (version, values)
 
     def on_state(self, message):
-        self.put("state", state_values(message))
+        values = state_values(message)
+        self.put("state", values)
         with self.lock:
             self.heard = time.monotonic()
-            values = self.latest["state"][1]
             last = self.history[-1]["t"] if self.history else -math.inf
             if values["t"] < last:
                 self.history.clear()  # the clock has started again

@@ -219,6 +219,7 @@ Marker seabedPatch(const std_msgs::Header& header, const monitor::TetherEstimato
         m.points.push_back(pointMessage(corner(i + di, j + dj)));
   return m;
 }
+
 // A height that was not measured is that of the vehicle now.
 Marker fixCrosses(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,
                   const RecentFixes& fixes)

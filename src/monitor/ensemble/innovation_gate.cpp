@@ -22,6 +22,7 @@ constexpr double MEAN_SHARE = 0.1;            // of the running mean of the inno
 constexpr double MAX_NOISE_VARIANCE_SCALE = 25.0;  // of the variance
 constexpr double BIAS_CHI2_FAULT = 20.0;  // squared normalized_innovation_mean that chance does not explain
 constexpr int OTHER_RESET_COUNT = 60;     // refused readings of tension, direction or velocity in a row
+
 // 1 for every axis that a position measures.
 core::Vector3 axesOf(const VehicleMeasurement& fix)
 {

@@ -14,6 +14,20 @@ namespace
 // can.
 constexpr double LEAP = 1.0;      // [m]
 constexpr double CATCH_UP = 2.0;  // so many times as fast as a winch may the tether follow
+
+double possibleRate(double rate)
+{
+  return std::clamp(rate, -PayoutBuffer::FASTEST, PayoutBuffer::FASTEST);
+}
+
+core::PayoutState reachable(const core::PayoutState& target, double t, const CableSimulation& simulation)
+{
+  const double most = CATCH_UP * PayoutBuffer::FASTEST * (t - simulation.state.time), now = simulation.length();
+  core::PayoutState state = target;
+  state.length = std::clamp(state.length, now - most, now + most);
+  state.rate = possibleRate(state.rate);
+  return state;
+}
 }  // namespace
 
 PayoutFollower::PayoutFollower(const Config& config)
@@ -65,32 +79,18 @@ bool PayoutFollower::isLeap(const EndTargets& targets, double t, const CableSimu
          !simulation.model.canRepresentLength(targets.payout->length);
 }
 
-core::PayoutState PayoutFollower::reachable(const core::PayoutState& target, double t,
-                                            const CableSimulation& simulation)
-{
-  constexpr double FASTEST = PayoutBuffer::FASTEST;
-  const double most = CATCH_UP * FASTEST * (t - simulation.state.time), now = simulation.length();
-  core::PayoutState state = target;
-  state.length = std::clamp(state.length, now - most, now + most);
-  state.rate = std::clamp(state.rate, -FASTEST, FASTEST);
-  return state;
-}
-
 std::optional<core::PayoutTrajectory> PayoutFollower::trajectory(const EndTargets& targets, double t,
-                                                                 const CableSimulation& simulation)
+                                                                 const CableSimulation& simulation) const
 {
   if (!targets.payout)
     return std::nullopt;
-  const core::PayoutState aim = reachable(*targets.payout, t, simulation);
-  aimed_rate_ = aim.rate;
-  return core::PayoutTrajectory::between(simulation.state.time, {simulation.length(), rate_, 0.0}, t, aim);
+  return core::PayoutTrajectory::between(simulation.state.time, {simulation.length(), rate_, 0.0}, t,
+                                         reachable(*targets.payout, t, simulation));
 }
 
 void PayoutFollower::reached(const EndTargets& targets)
 {
-  const double reported = targets.payout ? targets.payout->rate : 0.0;
-  rate_ = std::clamp(aimed_rate_.value_or(reported), -PayoutBuffer::FASTEST, PayoutBuffer::FASTEST);
-  aimed_rate_.reset();
+  rate_ = targets.payout ? possibleRate(targets.payout->rate) : 0.0;
 }
 
 }  // namespace tether_monitor::monitor

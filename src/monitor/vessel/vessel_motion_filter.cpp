@@ -248,10 +248,7 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
   }
   const double dt = t - last_output_time_;
   if (dt > 0.0)
-    fadeCorrection(
-        motion, motionOf(last_output_, t).end,
-        {now[0].innovationVarianceRatio(), now[1].innovationVarianceRatio(), now[2].innovationVarianceRatio()},
-        dt);
+    fadeCorrection(now, motion, motionOf(last_output_, t).end, dt);
   last_output_ = now;
   last_output_time_ = t;
   addCorrection(motion);
@@ -261,8 +258,8 @@ VesselMotionFilter::Motion VesselMotionFilter::blend(double t)
 
 // What the measurements of the last dt have changed, and its critically damped fading: so fast that little is
 // left.
-void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMotion& expected,
-                                        const core::Vector3& ratio, double dt)
+void VesselMotionFilter::fadeCorrection(const Filters& filters, const Motion& motion,
+                                        const core::EndMotion& expected, double dt)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -270,7 +267,8 @@ void VesselMotionFilter::fadeCorrection(const Motion& motion, const core::EndMot
     const double tolerable = std::max(TOLERABLE * motion.position_stddev[i], LEAST_TOLERABLE);
     const double excess = std::min(std::pow(sizeOf(axis) / tolerable, 2) - 1.0, MOST_EXCESS);
     fading_[i] = std::clamp(fading_[i] * std::exp(FADING_GAIN * dt * excess), SLOWEST_FADING, FASTEST_FADING);
-    const double by_surprise = SLOWEST_FADING * std::clamp(ratio[i] / LARGE_VARIANCE_RATIO, 1.0, MOST_BY_SURPRISE);
+    const double surprise = filters[i].innovationVarianceRatio() / LARGE_VARIANCE_RATIO;
+    const double by_surprise = SLOWEST_FADING * std::clamp(surprise, 1.0, MOST_BY_SURPRISE);
     axis.fade(std::max(fading_[i], by_surprise), dt);
     correction_.value[i] = axis.value - (motion.end.position[i] - expected.position[i]);
     correction_.rate[i] = axis.rate - (motion.end.velocity[i] - expected.velocity[i]);

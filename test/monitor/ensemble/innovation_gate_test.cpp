@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "tether_monitor/core/base/binary_archive.h"
+
 namespace tether_monitor::monitor
 {
 using core::Vector3;
@@ -112,6 +114,21 @@ TEST(InnovationGate, ADepthThatFitsDoesNotHideALostPlace)
   }
   EXPECT_EQ(verdict, Verdict::REACQUIRE);
   EXPECT_LE(t, 8);
+}
+
+TEST(InnovationGate, GoesOnAfterASaveAmongRejections)
+{
+  InnovationGate gate;
+  gate.start(0.0, 0.0);
+  for (int t = 1; t <= 3; ++t)
+    ASSERT_EQ(evaluate(gate, t, Vector3(0.0, 40.0, 0.0)), Verdict::REJECT);
+  core::BinaryWriter writer;
+  writer(gate);
+  InnovationGate restored;
+  core::BinaryReader reader(writer.bytes());
+  reader(restored);
+  for (int t = 4; t <= 6; ++t)
+    EXPECT_EQ(evaluate(restored, t, Vector3(0.0, 40.0, 0.0)), evaluate(gate, t, Vector3(0.0, 40.0, 0.0))) << t;
 }
 
 TEST(InnovationGate, JumpsAreNeverFollowed)

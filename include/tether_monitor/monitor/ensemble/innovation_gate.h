@@ -61,7 +61,8 @@ class InnovationGate
   void serialize(Archive& a)
   {
     a(last_accepted_, last_seen_, reacquisition_until_, consecutive_rejections_, last_offset_, last_position_,
-      last_refused_, square_, mean_, lasting_, samples_, other_refusals_, inconsistent_until_, report_);
+      last_refused_, refused_axes_, square_, mean_, lasting_, samples_, other_refusals_, inconsistent_until_,
+      report_);
   }
 
  private:

@@ -40,7 +40,7 @@ class PayoutFollower
   /// From the simulation's length towards the target's at time t [s], as far as a winch gets; none: the length
   /// stays.
   std::optional<core::PayoutTrajectory> trajectory(const EndTargets& targets, double t,
-                                                   const CableSimulation& simulation);
+                                                   const CableSimulation& simulation) const;
   /// The simulation has come to the target, or begins there.
   void reached(const EndTargets& targets);
   /// Rate with which the simulation pays out [m/s].
@@ -54,13 +54,10 @@ class PayoutFollower
   }
 
  private:
-  static core::PayoutState reachable(const core::PayoutState& target, double t, const CableSimulation& simulation);
-
   double capacity_;  // of the winch [m]; infinite without one
   PayoutBuffer buffer_;
   PayoutPlausibility plausibility_;
   double rate_ = 0.0;
-  std::optional<double> aimed_rate_;  // between trajectory() and reached() [m/s]
 };
 
 }  // namespace tether_monitor::monitor

@@ -109,8 +109,7 @@ class VesselMotionFilter
   Filters filtersAt(double t) const;
   void pushSnapshot(double t);
   static Motion motionOf(const Filters& filters, double t);
-  void fadeCorrection(const Motion& motion, const core::EndMotion& expected, const core::Vector3& ratio,
-                      double dt);
+  void fadeCorrection(const Filters& filters, const Motion& motion, const core::EndMotion& expected, double dt);
   void addCorrection(Motion& motion) const;
   void rampWaveMotion(double t, Motion& motion) const;
 
