@@ -79,7 +79,8 @@ nlohmann::json pooledRow(const UncertainCase& c, int draws, double latency, bool
   return row;
 }
 
-nlohmann::json pooled(const std::vector<UncertainCase>& cases, const std::string& wanted, int draws)
+nlohmann::json pooled(const std::vector<UncertainCase>& cases, const std::string& wanted,
+                      std::initializer_list<double> latencies, int draws)
 {
   std::printf(
       "case, latency, load cell | vessel: mean, rms, band [N], NEES, within 1 sigma, 5..95 %% | vehicle: the "
@@ -87,7 +88,7 @@ nlohmann::json pooled(const std::vector<UncertainCase>& cases, const std::string
       "false limit alarms | %% of a core\n");
   nlohmann::json rows = nlohmann::json::array();
   for (const UncertainCase& c : cases)
-    for (const double latency : {0.0, 1.0})
+    for (const double latency : latencies)
       for (const bool has_load_cell : {false, true})
         if (wanted.find(c.of.name) != std::string::npos)
           rows.push_back(pooledRow(c, draws, latency, has_load_cell));
@@ -144,10 +145,13 @@ int main(int argc, char** argv)
   const int draws = argc > 3 ? std::atoi(argv[3]) : 32;
   // It takes an hour: what there is, is kept.
   const auto keep = [&] { std::ofstream(argv[1]) << out.dump(1) << "\n"; };
-  out["pooled"] = bench::pooled(bench::uncertainCases(), cases, draws);
+  out["pooled"] = bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws);
+  keep();
+  std::printf("positions that come ten seconds late\n");
+  out["late"] = bench::pooled(bench::uncertainCases(), cases, {10.0}, std::min(draws, 8));
   keep();
   std::printf("the current changes by 0.3 m/s; from five minutes after that on\n");
-  out["changing_current"] = bench::pooled(bench::changingCurrents(), cases, std::min(draws, 8));
+  out["changing_current"] = bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, std::min(draws, 8));
   keep();
   out["misconfigured"] = bench::misconfigured(cases);
   keep();

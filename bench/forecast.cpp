@@ -57,6 +57,12 @@ int main(int argc, char** argv)
   std::printf(
       "case, load cell | runs | events | warnings | forecast %%: came true %% (forecasts) | a forecast [s]\n");
   nlohmann::json rows = nlohmann::json::array();
+  // It may take an hour: what there is, is kept.
+  const auto keep = [&](nlohmann::json row)
+  {
+    rows.push_back(std::move(row));
+    std::ofstream(argv[1]) << rows.dump(1) << "\n";
+  };
   for (const bool has_load_cell : {false, true})
   {
     monitor::ForecastScore total;
@@ -65,12 +71,11 @@ int main(int argc, char** argv)
     for (const bench::Manoeuvre& manoeuvre : bench::manoeuvres())
     {
       const bench::ForecastStudy study = bench::studyForecasts(manoeuvre, draws, seed, has_load_cell, total);
-      rows.push_back(bench::print(manoeuvre.what, has_load_cell, study.runs, study.cpu, study.result));
+      keep(bench::print(manoeuvre.what, has_load_cell, study.runs, study.cpu, study.result));
       runs += study.runs;
       cpu = std::max(cpu, study.cpu);
     }
-    rows.push_back(bench::print("all", has_load_cell, runs, cpu, total.result()));
+    keep(bench::print("all", has_load_cell, runs, cpu, total.result()));
   }
-  std::ofstream(argv[1]) << rows.dump(1) << "\n";
   return 0;
 }

@@ -85,6 +85,7 @@ def main(names):
     if "estimation" in names:
         estimation = results("estimation")
         write("doc/theory/estimation.md", "pooled", pooled(estimation["pooled"]))
+        write("doc/theory/estimation.md", "late", pooled(estimation["late"]))
         write("doc/theory/estimation.md", "changing current", pooled(estimation["changing_current"]))
         write("doc/theory/estimation.md", "misconfigured", misconfigured(estimation["misconfigured"]))
     if "forecast" in names:

@@ -91,6 +91,7 @@ set(test_files
   test/monitor/forecast/forecast_score_test.cpp
   test/monitor/forecast/forecast_traces_test.cpp
   test/monitor/forecast/tether_forecaster_test.cpp
+  test/monitor/forecast/thrust_reaction_test.cpp
   test/monitor/forecast/vessel_plan_test.cpp
   test/monitor/identification/identification_test.cpp
   test/monitor/measurements/turn_counter_test.cpp
@@ -110,6 +111,7 @@ set(test_files
   test/monitor/ensemble/innovation_gate_test.cpp
   test/monitor/ensemble/motion_error_filter_test.cpp
   test/monitor/ensemble/measurement_timing_test.cpp
+  test/monitor/ensemble/tether_linearization_test.cpp
   test/monitor/ensemble/vehicle_initializer_test.cpp
   test/monitor/measurements/motion_plausibility_test.cpp
   test/monitor/measurements/noise_estimator_test.cpp

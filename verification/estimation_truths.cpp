@@ -313,6 +313,9 @@ monitor::Config configFor(const UncertainCase& c, const Truth& truth, const Sens
   config.navigation.force_stddev = c.force_stddev;
   config.navigation.drag_stddev = c.vehicle_drag_stddev;
   config.uncertainty = c.told;
+  config.uncertainty.current = std::hypot(c.told.current, c.current_change.norm());
+  if (c.reports_thrust)
+    config.max_thrust = c.most_thrust;
   if (!c.is_towed)
   {
     config.tether.working_load = 2000.0;

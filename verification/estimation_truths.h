@@ -29,7 +29,8 @@ struct UncertainCase
 /// C (tow in heave), D (tow in a turn), I (tow in an irregular sea), G (keeps its station in a current), R
 /// (rests), M (manoeuvres at 0.5 m/s), S (slack tether in a sheared current).
 std::vector<UncertainCase> uncertainCases();
-/// C and G in a current that changes by 0.3 m/s after 200 s, scored from five minutes after that on.
+/// C and G in a current that changes by 0.3 m/s after 200 s, scored from five minutes after that on. The estimator
+/// is told of that: its standard deviation of the current is that of the draw and of the change together.
 std::vector<UncertainCase> changingCurrents();
 
 /// What is otherwise in a truth than was told.

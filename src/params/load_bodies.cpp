@@ -83,6 +83,8 @@ void loadVehicle(ParameterReader in, monitor::Config& config)
   {
     config.vehicle_mode = mode == "free" ? monitor::VehicleMode::FREE : monitor::VehicleMode::OBSERVED;
     config.vehicle_body = loadRigidBody(in);
+    if (in.has("max_thrust"))
+      config.max_thrust = in.optionalNumber("max_thrust");
   }
   // A file that was written for another mode stays good.
   if (mode == "observed")
@@ -95,7 +97,7 @@ void loadVehicle(ParameterReader in, monitor::Config& config)
   if (mode == "tracked")
   {
     for (const char* key : {"mass", "volume", "inertia", "drag_area", "added_mass", "added_inertia",
-                            "rotational_drag", "center_of_buoyancy", "force"})
+                            "rotational_drag", "center_of_buoyancy", "force", "max_thrust"})
       in.ignore(key);
   }
   else if (!is_simulated)

@@ -26,7 +26,7 @@ def size(wrench):
 class SimScenarios(unittest.TestCase):
     """Each test runs simulation and monitor in a namespace of its own, up to ten times as fast as real time."""
 
-    def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0, bound=0.05, good=0.95):
+    def run_scenario(self, scenario, simulated, change=lambda tree: None, after=5.0, bound=0.05, good=("OK",)):
         with open(PACKAGE + "/config/scenarios/%s.yaml" % scenario) as text:
             tree = yaml.safe_load(text)
         tree["simulation"].update(clock=True, lockstep=True, speed=10.0)
@@ -69,12 +69,15 @@ class SimScenarios(unittest.TestCase):
             pairs = [(s, truth[s.header.stamp]) for s in settled
                      if s.header.stamp in truth and s.status != TetherState.STATUS_INVALID]
         self.assertGreater(len(settled), 100)
-        self.assertGreater(words.count("OK") / len(words), good, collections.Counter(s.reason for s in settled))
+        self.assertGreater(sum(word in good for word in words) / len(words), 0.95, collections.Counter(s.reason for s in settled))
         self.assertGreater(len(pairs), 50)
         mean = sum(force for _, force in pairs) / len(pairs)
         # The monitor extrapolates the newest pose to its tick: one tick late at most.
         rms = (sum((s.vessel_tension - force) ** 2 for s, force in pairs) / len(pairs)) ** 0.5
         self.assertLess(rms, max(bound * mean, 5.0), "vessel tension against the truth: %g of %g N" % (rms, mean))
+        if states[-1].vessel_tension_stddev > 0.0:
+            inside = sum(s.vessel_tension_p05 <= force <= s.vessel_tension_p95 for s, force in pairs)
+            self.assertGreater(inside / len(pairs), 0.75, "truth between the 5 and 95 % quantiles")
         return [s for s in settled if s.status != TetherState.STATUS_INVALID], contacts, diagnostics
 
     def test_tow_and_turn(self):
@@ -99,13 +102,14 @@ class SimScenarios(unittest.TestCase):
         self.assertGreater(states[-1].length, 240.0)
 
     def test_acoustic_navigation(self):
-        # How good it is, simulation_test says, AcousticNavigation.*. Here the two nodes have to get along.
+        # How good it is, simulation_test says, AcousticNavigation.*: a tow from positions alone has a wide band, and may be
+        # DEGRADED for it. Here the two nodes have to get along.
         def lighter(tree):
             tree["simulation"]["speed"] = 4.0
             tree["solver"] = dict(tree.get("solver", {}), members=64)
             tree["tether"]["elements"] = 10
         states, _, diagnostics = self.run_scenario("acoustic_navigation", 140.0, lighter, after=80.0, bound=0.35,
-                                                   good=0.8)
+                                                   good=("OK", "DEGRADED"))
         self.assertTrue(all(s.vessel_tension_stddev > 0.0 for s in states))
         values = {v.key: v.value for d in diagnostics for s in d.status for v in s.values}
         self.assertIn("Disturbance force on the vehicle [N]", values)

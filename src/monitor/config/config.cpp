@@ -133,6 +133,8 @@ std::vector<std::string> validate(const Config& c)
   core::BoundsCheck levers;
   levers.finite("vessel.attachment (norm)", c.vessel.attachment.norm(), "m");
   levers.finite("vehicle.attachment (norm)", c.vehicle.attachment.norm(), "m");
+  if (c.max_thrust)
+    levers.positive("vehicle.max_thrust", *c.max_thrust, "N");
   levers.check(!c.world_frame.empty(), "world_frame (number of characters)", 0, "a frame's name");
   add(levers.problems(), all);
   return all;

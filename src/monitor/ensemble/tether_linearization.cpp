@@ -1,5 +1,7 @@
 #include "tether_monitor/monitor/ensemble/tether_linearization.h"
 
+#include <Eigen/Eigenvalues>
+
 #include "tether_monitor/core/assembly/end_forces.h"
 
 namespace tether_monitor::monitor
@@ -13,7 +15,28 @@ TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
   slope.position = slow - TetherLinearization::FIT_RATE_LOW * slope.velocity;
   return slope;
 }
+
+// Whether there was a negative part of its quadratic form; it is taken off.
+bool takeOffNegativePart(core::Matrix3& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<core::Matrix3> eigen(0.5 * (matrix + matrix.transpose()));
+  if (eigen.eigenvalues()[0] >= 0.0)
+    return false;
+  matrix -=
+      eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+  return true;
+}
 }  // namespace
+
+bool TetherLinearization::fitMotion(const core::Matrix3& slow, const core::Matrix3& fast)
+{
+  constexpr double A = FIT_RATE_LOW, B = FIT_RATE_HIGH;
+  damping = (fast - slow - (B * B - A * A) * mass) / (B - A);
+  const bool damps = !takeOffNegativePart(damping);
+  stiffness = slow - A * damping - A * A * mass;
+  takeOffNegativePart(stiffness);
+  return damps;
+}
 
 void TetherLinearization::blend(const TetherLinearization& other, double share)
 {
@@ -44,15 +67,12 @@ bool linearizeTether(core::EndDynamicStiffnessSolver& solver, const core::Deploy
   const RowVector3 at_vessel =
       -forces.vessel.normalized().transpose();  // a node receives what its body gets, negative
   const RowVector3 at_vehicle = -forces.vehicle.normalized().transpose();
-  constexpr double A = TetherLinearization::FIT_RATE_LOW, B = TetherLinearization::FIT_RATE_HIGH;
-
   fit.mass =
       R * core::Matrix3((core::Vector3::Constant(body.mass) + body.added_mass).asDiagonal()) * R.transpose();
-  fit.damping = (fast.vehicle - slow.vehicle - (B * B - A * A) * fit.mass) / (B - A);
-  fit.stiffness = slow.vehicle - A * fit.damping - A * A * fit.mass;
+  const bool damps = fit.fitMotion(slow.vehicle, fast.vehicle);
   fit.chord = (state.q.back().head<3>() - state.q.front().head<3>()).normalized();
-  fit.vessel = slopeBetween(at_vessel * slow.transfer, at_vessel * fast.transfer);
-  fit.vehicle = slopeBetween(at_vehicle * slow.tether, at_vehicle * fast.tether);
+  fit.vessel = slopeBetween(at_vessel * slow.transfer, at_vessel * (damps ? fast : slow).transfer);
+  fit.vehicle = slopeBetween(at_vehicle * slow.tether, at_vehicle * (damps ? fast : slow).tether);
   fit.vessel_tension_jacobian = at_vessel * wave.vessel;
   return true;
 }

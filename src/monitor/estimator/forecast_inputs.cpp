@@ -6,6 +6,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+constexpr double USUAL_RESERVE = 2.0;  // of the largest thrust over the largest that was reported
+
 core::EndMotion endOf(const CableSimulation& simulation, std::size_t node)
 {
   const core::CableState& state = simulation.state;
@@ -13,17 +15,21 @@ core::EndMotion endOf(const CableSimulation& simulation, std::size_t node)
 }
 }  // namespace
 
-void ForecastInputs::observe(const CableSimulation& simulation, const VehicleEnd& vehicle)
+void ForecastInputs::observe(const TetherEstimate& estimate, const CableSimulation& simulation,
+                             const VehicleEnd& vehicle)
 {
   vessel_.observe(simulation.state.time, endOf(simulation, 0));
   if (!vehicle.takesThrust())
     vehicle_.observe(simulation.state.time, endOf(simulation, simulation.state.q.size() - 1));
+  else if (const auto thrust = vehicle.reportedThrust(estimate.time); thrust && estimate.has_vehicle)
+    reaction_.observe(estimate.time, estimate.vehicle.orientation * thrust->force, estimate.stations.ends.vehicle);
 }
 
 void ForecastInputs::clear()
 {
   vessel_.clear();
   vehicle_.clear();
+  reaction_.clear();
 }
 
 void ForecastInputs::clearPlans()
@@ -46,6 +52,11 @@ ForecastStart ForecastInputs::start(const CableSimulation& simulation, const Veh
   start.payout_plan = payout_plan_;
   if (!vehicle.takesThrust())
     start.vehicle = vehicle_;
+  if (reaction_.isReady())
+  {
+    start.reaction = reaction_;
+    start.max_thrust = max_thrust_.value_or(USUAL_RESERVE * reaction_.largestThrust());
+  }
   vehicle.prepareForecast(start);
   if (start.members.empty())
     start.members.push_back({simulation.state});

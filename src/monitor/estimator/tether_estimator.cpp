@@ -17,7 +17,7 @@ const Config& checked(const Config& config)
 }  // namespace
 
 TetherEstimator::TetherEstimator(const Config& config)
-  : config_(checked(config)), cycle_(config), alarm_inputs_(config), alarms_(config)
+  : config_(checked(config)), cycle_(config), alarm_inputs_(config), alarms_(config), forecast_inputs_(config)
 {
 }
 
@@ -46,7 +46,7 @@ const TetherEstimate& TetherEstimator::watched(const TetherEstimate& estimate)
   if (!isRunning())
     forecast_inputs_.clear();
   else if (estimate.has_stations)
-    forecast_inputs_.observe(simulation(), vehicle());
+    forecast_inputs_.observe(estimate, simulation(), vehicle());
   return estimate;
 }
 

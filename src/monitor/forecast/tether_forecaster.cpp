@@ -6,6 +6,7 @@
 #include "tether_monitor/monitor/ensemble/ensemble_members.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
 #include "tether_monitor/monitor/forecast/random_vectors.h"
+#include "tether_monitor/monitor/forecast/thrust_course.h"
 
 namespace tether_monitor::monitor
 {
@@ -110,6 +111,11 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
   if (vehicle)
     other = vehicle->begin(random);
   UnknownForceCourse unknown(start, member, random);
+  core::Vector3 pull = core::endForces(cable, state).vehicle;
+  std::optional<ThrustCourse> reaction;
+  if (start.reaction && !actions.thrust)
+    reaction.emplace(*start.reaction, pull, state.vehicle.orientation * start.thrust.force, start.max_thrust,
+                     random);
   const int steps = static_cast<int>(std::lround(extent.horizon / STEP));
   core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
   core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
@@ -131,6 +137,8 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
     ends.clamps = state.clamps;
     ends.vehicle_thrust = actions.thrust.value_or(start.thrust);
     ends.vehicle_force = unknown.advance(random);
+    if (reaction)
+      ends.vehicle_force += reaction->advance(STEP, pull);
     if (start.attitude)
       ends.vehicle_thrust.torque += torqueTowards(body_, *start.attitude, state.vehicle);
     const double rate = payoutRate(start, actions, state.time, model.length(state.deployment));
@@ -140,6 +148,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
       return false;
     cable.update(model, state.deployment);
     core::computeStations(cable, state, estimate_.stations);
+    pull = estimate_.stations.ends.vehicle;
     summarize(cable, estimate_);
     traces_.add(index, STEP * k, estimate_, limits_);
     if (extent.isQuestion() && traces_.passesLimit(index))

@@ -33,8 +33,9 @@ struct Config
   BodyConfig vessel;
   BodyConfig vehicle;
   VehicleMode vehicle_mode = VehicleMode::TRACKED;
-  core::RigidBody vehicle_body;  ///< set in modes free and observed; its attachment is that of `vehicle`.
-  NavigationConfig navigation;   ///< of the vehicle.
+  core::RigidBody vehicle_body;      ///< set in modes free and observed; its attachment is that of `vehicle`.
+  std::optional<double> max_thrust;  ///< of the vehicle [N], > 0; none: twice the largest that was reported.
+  NavigationConfig navigation;       ///< of the vehicle.
   UncertaintyConfig uncertainty;
 
   core::StepperOptions solver;

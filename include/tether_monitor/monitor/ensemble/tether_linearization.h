@@ -36,6 +36,14 @@ struct TetherLinearization
   RowVector3 vessel_tension_jacobian = RowVector3::Zero();  ///< tension at the vessel end for a displacement of
                                                             ///< that end as fast as the waves [N/m].
 
+  /**
+   * Damping and stiffness of a mass, from what moves it at the two rates of growth [N/m]. A slack tether may be
+   * about to buckle between them, and the line through both would drive the vehicle: neither part is let below
+   * zero.
+   *
+   * @return  false if the damping had to be held: then the faster of the two says nothing of slow motions.
+   */
+  bool fitMotion(const core::Matrix3& slow, const core::Matrix3& fast);
   /// What an uncertain place of the vessel end makes of the tension there [N]. @param stddev  of that place [m].
   double vesselTensionStddev(const core::Vector3& stddev) const
   {

@@ -19,6 +19,7 @@ class FreeVehicleEnd final : public VehicleEnd
   }
   void setThrust(double t, const core::Wrench& thrust) override;
   bool takesThrust() const override { return true; }
+  std::optional<core::Wrench> reportedThrust(double t) const override { return thrust_.reportedAt(t); }
   bool needsPoses() const override { return false; }
   void clear() override;
   bool isReady(double /*t*/) const override { return true; }

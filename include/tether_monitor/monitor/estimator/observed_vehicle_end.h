@@ -18,6 +18,7 @@ class ObservedVehicleEnd final : public VehicleEnd
   Rejection addDirection(double t, const core::Vector3& direction) override;
   void setThrust(double t, const core::Wrench& thrust) override;
   bool takesThrust() const override { return true; }
+  std::optional<core::Wrench> reportedThrust(double t) const override { return thrust_.reportedAt(t); }
   bool acceptsLateMeasurements() const override { return true; }
   void clear() override;
   bool isReady(double t) const override { return ensemble_.isReady(t); }

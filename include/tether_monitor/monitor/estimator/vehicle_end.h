@@ -33,6 +33,8 @@ class VehicleEnd
   /// Thrust on a simulated vehicle at time t [s], body axes.
   virtual void setThrust(double /*t*/, const core::Wrench& /*thrust*/) {}
   virtual bool takesThrust() const { return false; }
+  /// The thrust that was reported for time t [s], body axes; nothing: none was.
+  virtual std::optional<core::Wrench> reportedThrust(double /*t*/) const { return std::nullopt; }
   /// True if it cannot do without measured poses.
   virtual bool needsPoses() const { return true; }
   /// True if measurements may come late and out of order.

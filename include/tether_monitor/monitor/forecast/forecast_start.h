@@ -7,6 +7,7 @@
 #include "tether_monitor/core/solve/adaptive_stepper.h"
 #include "tether_monitor/monitor/ensemble/motion_error_filter.h"
 #include "tether_monitor/monitor/forecast/end_motion_predictor.h"
+#include "tether_monitor/monitor/forecast/thrust_reaction.h"
 #include "tether_monitor/monitor/forecast/vessel_plan.h"
 
 namespace tether_monitor::monitor
@@ -27,8 +28,10 @@ struct ForecastStart
   std::vector<ForecastMember> members;                 ///< at least one.
   UnknownForce unknown_force{0.0, 3600.0, 0.0, 15.0};  ///< on the vehicle: what comes on top of the members' own.
   core::Matrix3 slow_force_covariance = core::Matrix3::Zero();  ///< of it, for given parameters.
-  core::Wrench thrust;                                          ///< on the vehicle, body axes; held.
-  std::optional<Eigen::Quaterniond> attitude;                   ///< that the vehicle is held in.
+  core::Wrench thrust;                                          ///< on the vehicle, body axes.
+  std::optional<ThrustReaction> reaction;      ///< of a vehicle whose thrust is reported; none: held.
+  double max_thrust = 0.0;                     ///< that can be [N].
+  std::optional<Eigen::Quaterniond> attitude;  ///< that the vehicle is held in.
   EndMotionPredictor vessel;
   std::optional<EndMotionPredictor> vehicle;  ///< of a vehicle whose end is moved.
   bool has_winch = false;                     ///< something reports the deployed length.

@@ -38,6 +38,11 @@ class ThrustBuffer
         return entries_[i].thrust;
     return core::Wrench();
   }
+  /// Likewise, and nothing before the first.
+  std::optional<core::Wrench> reportedAt(double t) const
+  {
+    return count_ > 0 && entries_[0].t <= t ? std::optional<core::Wrench>(at(t)) : std::nullopt;
+  }
   /// The last that was told; none before the first.
   core::Wrench latest() const { return count_ > 0 ? entries_[count_ - 1].thrust : core::Wrench(); }
   /// How old the last is at time t [s]; nothing: there is none.

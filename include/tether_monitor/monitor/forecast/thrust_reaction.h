@@ -1,0 +1,53 @@
+#pragma once
+
+#include "tether_monitor/core/base/types.h"
+
+namespace tether_monitor::monitor
+{
+/**
+ * How far a vehicle's thrust makes up for what the tether does to it: an autopilot that holds a place, a depth or
+ * a speed answers the tether's force, a pilot's stick does not. Regression of the reported thrust on the tether's
+ * force, axis by axis, over the last twenty seconds, (F5) of doc/theory/forecast.md. Plain data: copy it to save
+ * it.
+ */
+class ThrustReaction
+{
+ public:
+  static constexpr double RESPONSE = 2.0;  ///< time constant of an autopilot [s].
+
+  /// @param thrust,tether_force  on the vehicle at time t [s], world axes [N]. A time that is not later, or later
+  /// by a minute, begins anew.
+  void observe(double t, const core::Vector3& thrust, const core::Vector3& tether_force);
+  void clear() { *this = ThrustReaction(); }
+  /// True once it has been observed for ten seconds.
+  bool isReady() const { return observed_for_ >= 10.0; }
+  bool isValid() const;
+
+  /// What the thrust answers: the tether's force without waves [N].
+  const core::Vector3& tetherForce() const { return slow_force_; }
+  /// How much slower than the tether's force that is: less the force of the moment [N].
+  core::Vector3 lag() const { return slow_force_ - force_; }
+  /// The largest thrust that was reported [N].
+  double largestThrust() const { return largest_; }
+  /// The share of a change of the tether's force that thrust takes off again, 0 (held) to 1, of every world axis:
+  /// its most probable value, and how uncertain that is.
+  core::Vector3 share() const;
+  core::Vector3 shareStddev() const;
+
+  template <class Archive>
+  void serialize(Archive& a)
+  {
+    a(time_, observed_for_, force_, slow_force_, thrust_mean_, force_mean_, force_square_, thrust_square_,
+      product_, largest_);
+  }
+
+ private:
+  double time_ = 0.0, observed_for_ = 0.0;                                                      // [s]
+  core::Vector3 force_ = core::Vector3::Zero(), slow_force_ = core::Vector3::Zero();            // [N]
+  core::Vector3 thrust_mean_ = core::Vector3::Zero(), force_mean_ = core::Vector3::Zero();      // [N]
+  core::Vector3 force_square_ = core::Vector3::Zero(), thrust_square_ = core::Vector3::Zero();  // about the means
+  core::Vector3 product_ = core::Vector3::Zero();                                               // [N^2]
+  double largest_ = 0.0;                                                                        // [N]
+};
+
+}  // namespace tether_monitor::monitor
