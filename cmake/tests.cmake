@@ -125,6 +125,7 @@ set(test_files
   test/params/load_waves_test.cpp
   test/params/parameter_reader_test.cpp
   test/replay/csv_replay_test.cpp
+  test/replay/input_log_test.cpp
   test/replay/recorded_measurements_test.cpp
   test/replay/recorded_motion_test.cpp
   test/replay/steady_state_run_test.cpp

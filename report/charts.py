@@ -125,6 +125,25 @@ def forecast(dive):
     return svg(figure)
 
 
+def inputs(table):
+    """A row a topic: where nothing came it is white, where something was refused there is a dot."""
+    names = sorted(set(table.text("topic")))
+    rows = table.text("topic")
+    t, messages, refused = table["t"], table["messages"], table["refused"]
+    period = np.min(np.diff(np.unique(t))) if len(np.unique(t)) > 1 else 10.0
+    figure, axis = plt.subplots(figsize=(9.0, 0.8 + 0.3 * len(names)))
+    for k, name in enumerate(names):
+        pick = np.array([row == name for row in rows])
+        usual = np.median(messages[pick])
+        axis.bar(t[pick], np.minimum(0.8 * messages[pick] / usual, 0.8), width=period, bottom=k - 0.4, align="edge", color=VESSEL, linewidth=0)
+        bad = pick & (refused > 0)
+        axis.plot(t[bad] + 0.5 * period, np.full(bad.sum(), k), "o", color=LIMIT, markersize=4)
+    axis.set_yticks(range(len(names)))
+    axis.set_yticklabels(names, fontsize=8)
+    axis.set_xlabel("time [s]; height: messages over their usual number, dots: some were refused")
+    return svg(figure)
+
+
 def exceedance(dive):
     unit = Unit(dive)
     figure, axis = plt.subplots(figsize=(4.3, 3.2))

@@ -127,6 +127,18 @@ def contacts(table_of):
     return table(["obstacle", "first [s]", "last [s]", "rows", "s [m]"], rows)
 
 
+def inputs(table_of):
+    names = table_of.text("topic")
+    t, messages, refused, delay, gap = (table_of[key] for key in ("t", "messages", "refused", "delay", "longest_gap"))
+    rows = []
+    for name in sorted(set(names)):
+        pick = np.array([n == name for n in names])
+        count, worst = messages[pick].sum(), int(np.argmax(np.where(pick, gap, -1.0)))
+        rows.append([name, int(count), int(refused[pick].sum()), "%.2f" % ((delay[pick] * messages[pick]).sum() / count),
+                     "%.1f, in the ten seconds from t = %.0f" % (gap[worst], t[worst])])
+    return table(["topic", "messages", "refused", "age when it came, mean [s]", "longest time without one [s]"], rows) + charts.inputs(table_of)
+
+
 def score(summary):
     scored = summary.get("forecast") or {}
     rows = [[key.replace("_", " "), "%.3g" % x if isinstance(x, float) else x] for key, x in scored.items()
@@ -144,6 +156,8 @@ def page(dive, title):
         parts.append(section("Forecast against what came", charts.forecast(dive), score(dive.summary)))
     if dive.parameters is not None:
         parts.append(section("What the estimate learnt", learnt(dive.parameters), charts.parameters(dive.parameters)))
+    if dive.inputs is not None:
+        parts.append(section("What came in", inputs(dive.inputs)))
     if dive.contacts is not None:
         parts.append(section("Contact", contacts(dive.contacts)))
     parts.append(section("Cycles of tension", fatigue(dive)))

@@ -64,6 +64,7 @@ class ReplayFolder:
         self.parameters = self.optional("parameters.csv", ["t", "name", "mean", "stddev", "configured", "configured_stddev"])
         self.forecast = self.optional("forecast.csv", ["t"])
         self.contacts = self.optional("contacts.csv", ["t", "obstacle", "s"])
+        self.inputs = self.optional("inputs.csv", ["t", "topic", "messages", "refused", "delay", "longest_gap"])
         self.shape = self.shapes()
         self.summary = self.summed_up()
 

@@ -47,6 +47,9 @@ def dive(folder):
     write(folder + "/forecast.csv", "t,horizon,members,probability_over_tension,probability_breaking,probability_slack,time_to_warning,time_to_limit,"
           "time_to_limit_p05,time_to_slack,place_s,max_tension,max_tension_p05,max_tension_p95",
           [[t, 30, 64, 0.5, 0, 0, "", "", "", "", 0, 4400, 4000, 4700] for t in range(0, 120)])
+    write(folder + "/inputs.csv", "t,topic,messages,refused,delay,longest_gap",
+          [[t, "vehicle/pose", 10, 0, 1.0, 1.0] for t in range(0, 60, 10)] + [[80, "vehicle/pose", 5, 2, 3.0, 21.5]]
+          + [[t, "vessel/pose", 100, 0, 0.0, 0.1] for t in range(0, 120, 10)])
     with open(folder + "/summary.json", "w") as out:
         json.dump({"working_load": 4000.0, "breaking_load": 16000.0, "reason": {"SETTLING": 120}, "forecast": {"brier_score": 0.125}}, out)
 
@@ -68,6 +71,7 @@ class Report(unittest.TestCase):
         self.assertIn("<h1>A &lt;dive&gt;</h1>", text)
         for words in ("largest tension<b>4.5 kN</b>", "of the working load<b>112 %</b>", "INVALID<b>10.0 % of the time</b>", "OK<b>90.0 % of the time</b>",
                       "<td>over tension</td><td>alarm</td><td>60.0</td><td>64.0</td><td>1.05</td>", "<td>slack</td><td>warning</td><td>70.0</td><td>-</td>",
+                      "<td>vehicle/pose</td><td>65</td><td>2</td><td>1.15</td><td>21.5, in the ten seconds from t = 80</td>",
                       "<td>SETTLING</td><td>120</td>", "<td>brier score</td><td>0.125</td>",
                       "<td>tether.drag_normal</td><td>1.2 ± 0.3</td><td>1.438 ± 0.062</td>"):
             self.assertIn(words, text)
@@ -103,7 +107,7 @@ class Report(unittest.TestCase):
         refused("summary.json")
 
     def test_a_dive_without_extras(self):
-        for name in ("shape", "parameters", "forecast"):
+        for name in ("shape", "parameters", "forecast", "inputs"):
             os.remove(self.folder + "/%s.csv" % name)
         text = self.page()
         self.assertIn("Tension", text)

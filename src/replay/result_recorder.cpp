@@ -136,6 +136,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
     parameters_->close();
   if (forecasts_)
     forecasts_->close();
+  if (!inputs_.empty())
+    inputs_.write(folder_);
 }
 
 }  // namespace tether_monitor::replay

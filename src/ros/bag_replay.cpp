@@ -21,15 +21,25 @@ void sortByArrival(BagRecording& recording)
                      [](const BagInput& a, const BagInput& b) { return a.arrival() < b.arrival(); });
 }
 
-void acceptNext(InputStream of, BagRecording& recording, InputAdapter& adapter)
+// Gives the messages of a recording to the estimator, one after the other.
+struct Feed
 {
-  BagStream& stream = recording.at(of);
-  const BagInput& input = stream.inputs[stream.next++];
-  const std::optional<InputError> error = input.message.accept(adapter, input.recorded);
-  if (!error)
-    return;
-  recording.refuse(input.source->config.topic, *error);
-}
+  BagRecording& recording;
+  InputAdapter& adapter;
+  const TimeOrigin& base;
+  replay::InputLog& log;
+
+  void acceptNext(InputStream of) const
+  {
+    BagStream& stream = recording.at(of);
+    const BagInput& input = stream.inputs[stream.next++];
+    const std::optional<InputError> error = input.message.accept(adapter, input.recorded);
+    const std::string& topic = input.source->config.topic;
+    log.add(base.seconds(input.arrival()), topic, secondsBetween(input.arrival(), input.stamp), error.has_value());
+    if (error)
+      recording.refuse(topic, *error);
+  }
+};
 
 const monitor::MotionBuffer& trackOf(InputStream body, const monitor::TetherEstimator& estimator)
 {
@@ -37,42 +47,40 @@ const monitor::MotionBuffer& trackOf(InputStream body, const monitor::TetherEsti
 }
 
 // Accepts what has arrived by time t.
-void acceptArrived(double t, const TimeOrigin& base, BagRecording& recording, InputAdapter& adapter)
+void acceptArrived(double t, const Feed& feed)
 {
   for (const InputStream of : ALL_STREAMS)
   {
-    const BagStream& stream = recording.at(of);
-    while (stream.hasNext() && base.seconds(stream.inputs[stream.next].arrival()) <= t)
-      acceptNext(of, recording, adapter);
+    const BagStream& stream = feed.recording.at(of);
+    while (stream.hasNext() && feed.base.seconds(stream.inputs[stream.next].arrival()) <= t)
+      feed.acceptNext(of);
   }
 }
 
 // Accepts what is stamped up to time t, and of each body what comes next, so that its motion is interpolated.
-void acceptAhead(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator,
-                 BagRecording& recording, InputAdapter& adapter)
+void acceptAhead(double t, const monitor::TetherEstimator& estimator, const Feed& feed)
 {
   const double furthest = t + estimator.config().pose_timeout;
   for (const InputStream of : ALL_STREAMS)
   {
-    const BagStream& stream = recording.at(of);
+    const BagStream& stream = feed.recording.at(of);
     while (stream.hasNext())
     {
-      const double stamp = base.seconds(stream.inputs[stream.next].stamp);
+      const double stamp = feed.base.seconds(stream.inputs[stream.next].stamp);
       const bool is_enough = of == InputStream::OTHER || trackOf(of, estimator).canInterpolate(t);
       if (stamp > t && (is_enough || stamp > furthest))
         break;
-      acceptNext(of, recording, adapter);
+      feed.acceptNext(of);
     }
   }
 }
 
-void acceptUntil(double t, const TimeOrigin& base, const monitor::TetherEstimator& estimator,
-                 BagRecording& recording, InputAdapter& adapter)
+void acceptUntil(double t, const monitor::TetherEstimator& estimator, const Feed& feed)
 {
   if (estimator.vehicle().acceptsLateMeasurements())
-    acceptArrived(t, base, recording, adapter);
+    acceptArrived(t, feed);
   else
-    acceptAhead(t, base, estimator, recording, adapter);
+    acceptAhead(t, estimator, feed);
 }
 
 // Stamps of the first and the last usable pose of a body: neither zero nor beyond the time of its recording.
@@ -91,16 +99,16 @@ std::pair<ros::Time, ros::Time> poseSpan(const BagRecording& recording, InputStr
 }
 // Accepts messages until both bodies are known. @throws std::runtime_error if they never are.
 void acceptFirstPoses(const std::string& path, const std::vector<InputStream>& bodies,
-                      const monitor::TetherEstimator& estimator, BagRecording& recording, InputAdapter& adapter)
+                      const monitor::TetherEstimator& estimator, const Feed& feed)
 {
   for (const InputStream body : bodies)
   {
-    while (recording.at(body).hasNext() && !trackOf(body, estimator).hasPose())
-      acceptNext(body, recording, adapter);
+    while (feed.recording.at(body).hasNext() && !trackOf(body, estimator).hasPose())
+      feed.acceptNext(body);
     if (trackOf(body, estimator).hasPose())
       continue;
     std::string text = "the bag " + path + ": every pose of a body was refused";
-    for (const std::string& warning : recording.warnings())
+    for (const std::string& warning : feed.recording.warnings())
       text += "\n  " + warning;
     throw std::runtime_error(text);
   }
@@ -123,11 +131,12 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   const TimeOrigin base(needs_vehicle ? std::min(vessel.first, vehicle.first) : vessel.first);
   InputAdapter adapter(estimator, recording.transforms);
   adapter.setTimeBase(base);
+  const Feed feed{recording, adapter, base, recorder.inputs()};
   estimator.setEpoch(base.epoch());
   double begin = base.seconds(std::max(vessel.first, vehicle.first));
   if (!as_it_arrived)
   {
-    acceptFirstPoses(path, bodiesNeeded(needs_vehicle), estimator, recording, adapter);
+    acceptFirstPoses(path, bodiesNeeded(needs_vehicle), estimator, feed);
     begin = std::max(estimator.vessel().track().lastPoseTime(), estimator.vehicle().track().lastPoseTime());
   }
 
@@ -143,7 +152,7 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
     {
       // To the nanosecond, as stamps are: a measurement of this very time counts.
       const double t = base.seconds(base.stamp(begin + (i - 1 + static_cast<double>(part) / parts) / rate));
-      acceptUntil(t, base, estimator, recording, adapter);
+      acceptUntil(t, estimator, feed);
       recorder.startTimer();
       if (i == 0 && !as_it_arrived)
         estimator.beginFromTracks(t);
@@ -159,7 +168,7 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
       options.progress((i + 1.0) / outputs);
   }
   // What is left is accepted too: a stray stamp must not go unnoticed.
-  acceptUntil(std::numeric_limits<double>::infinity(), base, estimator, recording, adapter);
+  acceptUntil(std::numeric_limits<double>::infinity(), estimator, feed);
   return recording.warnings();
 }
 

@@ -7,6 +7,7 @@
 
 #include "tether_monitor/files/folder_lock.h"
 #include "tether_monitor/replay/forecast_recorder.h"
+#include "tether_monitor/replay/input_log.h"
 #include "tether_monitor/replay/result_files.h"
 
 namespace tether_monitor::replay
@@ -33,6 +34,8 @@ class ResultRecorder
   void accumulate(const monitor::TetherEstimator& estimator);
   /// Writes an estimate at an output time; observe() it first.
   void writeRow(const monitor::TetherEstimator& estimator);
+  /// What came, for inputs.csv.
+  InputLog& inputs() { return inputs_; }
   /// Writes summary.json and closes all files. @param interrupted  the run was ended before its time.
   void finish(const monitor::TetherEstimator& estimator, bool interrupted = false);
 
@@ -45,6 +48,7 @@ class ResultRecorder
   std::unique_ptr<ShapeFile> shape_;
   std::unique_ptr<ParametersFile> parameters_;
   std::unique_ptr<ForecastRecorder> forecasts_;
+  InputLog inputs_;
   double next_parameters_ = -std::numeric_limits<double>::infinity();
   std::unique_ptr<ContactsFile> contacts_;  // from the first estimate with obstacles on
   double next_shape_ = -std::numeric_limits<double>::infinity();
