@@ -67,8 +67,11 @@ def main():
         time.sleep(3.0)
         rospy.init_node("measure_timing", disable_signals=True)
         print("| machine | priority | cycles | wake-up after its time | input to output |\n|---|---|---|---|---|")
+        only = sys.argv[2:]
         for busy in (False, True):
             for priority in (0, FIFO):
+                if only and not ("busy" if busy else "idle") + ("-fifo" if priority else "") in only:
+                    continue
                 measure(float(sys.argv[1]), busy, priority)
     finally:
         core.send_signal(signal.SIGINT)

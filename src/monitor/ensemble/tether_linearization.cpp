@@ -16,15 +16,14 @@ TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
   return slope;
 }
 
-// Whether there was a negative part of its quadratic form; it is taken off.
-bool takeOffNegativePart(core::Matrix3& matrix)
+constexpr double FASTEST_GROWTH = 0.1;  // of a motion that a tether may drive [1/s]
+
+// That of its quadratic form.
+core::Matrix3 withoutNegativePart(const core::Matrix3& matrix)
 {
   const Eigen::SelfAdjointEigenSolver<core::Matrix3> eigen(0.5 * (matrix + matrix.transpose()));
-  if (eigen.eigenvalues()[0] >= 0.0)
-    return false;
-  matrix -=
-      eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-  return true;
+  return matrix -
+         eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 }  // namespace
 
@@ -32,10 +31,23 @@ bool TetherLinearization::fitMotion(const core::Matrix3& slow, const core::Matri
 {
   constexpr double A = FIT_RATE_LOW, B = FIT_RATE_HIGH;
   damping = (fast - slow - (B * B - A * A) * mass) / (B - A);
-  const bool damps = !takeOffNegativePart(damping);
   stiffness = slow - A * damping - A * A * mass;
-  takeOffNegativePart(stiffness);
-  return damps;
+  if (growthRate() <= FASTEST_GROWTH)
+    return true;
+  damping = withoutNegativePart(damping);
+  stiffness = withoutNegativePart(slow - A * damping - A * A * mass);
+  return false;
+}
+
+double TetherLinearization::growthRate() const
+{
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  const core::Matrix3 inverse = mass.inverse();
+  Matrix6 system = Matrix6::Zero();
+  system.topRightCorner<3, 3>().setIdentity();
+  system.bottomLeftCorner<3, 3>() = -inverse * stiffness;
+  system.bottomRightCorner<3, 3>() = -inverse * damping;
+  return Eigen::EigenSolver<Matrix6>(system, false).eigenvalues().real().maxCoeff();
 }
 
 void TetherLinearization::blend(const TetherLinearization& other, double share)

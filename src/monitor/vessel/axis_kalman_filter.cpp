@@ -102,8 +102,7 @@ AxisKalmanFilter::Matrix AxisKalmanFilter::noise(double dt) const
   Q(2, 2) = jerk * dt;
   Q(1, 2) = Q(2, 1) = 0.5 * jerk * dt * dt;
   Q(1, 1) = jerk * dt * dt * dt / 3.0;
-  const double wave = 32.0 * std::pow(damping_ * wave_frequency_, 3) * wave_stddev_ * wave_stddev_ /
-                      (1.0 + 4.0 * damping_ * damping_);
+  const double wave = 32.0 * std::pow(damping_ * wave_frequency_, 3) * wave_stddev_ * wave_stddev_;
   Q(4, 4) = wave * dt;
   Q(3, 4) = Q(4, 3) = 0.5 * wave * dt * dt;
   Q(3, 3) = wave * dt * dt * dt / 3.0;

@@ -152,7 +152,7 @@ TEST(VesselMotionFilter, FindsOutHowMuchPositionsScatter)
   Passage told(8.0), unspecified(8.0);
   VesselMotionFilter a, b;
   const double known = sail(told, 0.02, a).place, found = sail(unspecified, std::nan(""), b).place;
-  EXPECT_LT(found, 1.6 * known);
+  EXPECT_LT(found, 1.5 * known);
 }
 
 TEST(VesselMotionFilter, LateMeasurementsTakeTheirPlace)

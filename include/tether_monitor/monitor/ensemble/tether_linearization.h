@@ -38,12 +38,14 @@ struct TetherLinearization
 
   /**
    * Damping and stiffness of a mass, from what moves it at the two rates of growth [N/m]. A slack tether may be
-   * about to buckle between them, and the line through both would drive the vehicle: neither part is let below
-   * zero.
+   * about to buckle between them, and the line through both drives the vehicle: where a motion would grow by more
+   * than 0.1 /s, neither part is let below zero.
    *
-   * @return  false if the damping had to be held: then the faster of the two says nothing of slow motions.
+   * @return  false if they had to be held: then the faster of the two says nothing of slow motions.
    */
   bool fitMotion(const core::Matrix3& slow, const core::Matrix3& fast);
+  /// Of the fastest growing motion [1/s]; negative: all decay.
+  double growthRate() const;
   /// What an uncertain place of the vessel end makes of the tension there [N]. @param stddev  of that place [m].
   double vesselTensionStddev(const core::Vector3& stddev) const
   {
