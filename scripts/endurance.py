@@ -22,7 +22,7 @@ from diagnostic_msgs.msg import DiagnosticArray  # noqa: E402
 from tether_monitor.msg import TetherState  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-ROWS = 24
+ROWS, FIFO = 24, 70
 SIDE = 1500.0  # [m] of the square that the vessel sails
 WORDS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}
 
@@ -39,6 +39,8 @@ def scenario(hours, speed):
     tree["tether"]["elements"] = 10
     tree.setdefault("solver", {})["members"] = 64
     tree["monitor"].update(rate=10.0, forecast={"members": 24})
+    if speed == 1.0:
+        tree["monitor"]["realtime"] = {"priority": FIFO, "lock_memory": True}
     return tree
 
 

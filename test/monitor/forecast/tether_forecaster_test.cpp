@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/navigation_fixture.h"
@@ -31,6 +32,50 @@ double timeToLimit(EstimatorFixture fixture)
       return fixture.t - begin;
   return std::numeric_limits<double>::infinity();
 }
+
+// A vehicle whose autopilot keeps it at its place while the vessel goes away from it at 0.5 m/s.
+struct HeldByItsAutopilot
+{
+  HeldByItsAutopilot() : estimator(config()) {}
+
+  static Config config()
+  {
+    Config c = coarseConfig();
+    c.vehicle_mode = VehicleMode::FREE;
+    c.vehicle_body = smallVehicle();
+    c.vehicle_body.volume = 0.146;
+    c.vehicle_body.added_mass = {100.0, 150.0, 150.0};
+    c.vehicle_body.center_of_buoyancy = {0.0, 0.0, 0.1};
+    c.max_thrust = 3000.0;
+    return c;
+  }
+
+  const TetherEstimate& run(double duration)
+  {
+    for (const double end = t + duration; t < end - 1e-9;)
+    {
+      t += 0.05;
+      const core::Vector3 vessel(-0.5 * std::max(t - 130.0, 0.0), 0.0, 1.0);
+      estimator.addVessel(PoseMeasurement{t, vessel, Eigen::Quaterniond::Identity()});
+      const BodyState& body = estimator.estimate().vehicle;
+      core::Wrench thrust;
+      if (estimator.estimate().has_vehicle)
+      {
+        if (t > 110.0)
+          place = place.value_or(body.position);
+        const core::Vector3 off = body.position - place.value_or(body.position);
+        thrust.force = body.orientation.conjugate() * core::Vector3(-150.0 * off - 350.0 * body.velocity);
+      }
+      estimator.setThrust(t, thrust);
+      largest = std::max(largest, estimator.tick(t).max_tension);
+    }
+    return estimator.estimate();
+  }
+
+  TetherEstimator estimator;
+  double t = 100.0, largest = 0.0;
+  std::optional<core::Vector3> place;
+};
 }  // namespace
 
 TEST(TetherForecaster, NothingIsForecastOfNothing)
@@ -67,6 +112,28 @@ TEST(TetherForecaster, KnowsWhenATetherGetsTaut)
   EXPECT_LE(f.time_to_limit_p05, f.time_to_limit);
   EXPECT_LE(f.time_to_warning, f.time_to_limit);
   EXPECT_GT(f.max_tension_p95.back(), f.max_tension_p05.back());
+}
+
+// Its thrust of the moment would let it be towed along.
+TEST(TetherForecaster, AnAutopilotDoesNotGiveWay)
+{
+  HeldByItsAutopilot dive;
+  while (dive.t < 400.0 && !(dive.run(1.0).vehicle_tension > 150.0))
+  {
+  }
+  ForecastStart start = *dive.estimator.forecastStart();
+  ASSERT_TRUE(start.reaction);
+  const TetherForecast f = TetherForecaster(HeldByItsAutopilot::config()).run(start, HORIZON, 32);
+  start.reaction.reset();
+  const TetherForecast held = TetherForecaster(HeldByItsAutopilot::config()).run(start, HORIZON, 32);
+  dive.largest = 0.0;
+  dive.run(HORIZON);
+  const auto largest = [](const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); };
+  EXPECT_GT(largest(f.max_tension_p95), 0.75 * dive.largest)
+      << "what along x is a stick, and what an autopilot, is not known";
+  EXPECT_LT(largest(held.max_tension_p95), 0.6 * dive.largest)
+      << "what a forecast would say that holds the thrust";
+  EXPECT_GT(largest(f.max_tension), 1.4 * largest(held.max_tension));
 }
 
 // What is paid out prevents it, and the least rate is between nothing and that.
