@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -131,30 +132,35 @@ nlohmann::json misconfigured(const std::string& wanted)
 }  // namespace
 }  // namespace tether_monitor::bench
 
-// bench_estimation FILE [CASES] [DRAWS]
+// bench_estimation FILE [CASES] [DRAWS] [TABLES]: p pooled, l late, c changing current, m misconfigured.
 int main(int argc, char** argv)
 {
   using namespace tether_monitor;
   if (argc < 2)
   {
-    std::cerr << "usage: bench_estimation FILE [CASES] [DRAWS]\n";
+    std::cerr << "usage: bench_estimation FILE [CASES] [DRAWS] [TABLES]\n";
     return 2;
   }
-  const std::string cases = argc > 2 ? argv[2] : "CDIGRMS";
+  const std::string cases = argc > 2 ? argv[2] : "CDIGRMS", tables = argc > 4 ? argv[4] : "plcm";
   nlohmann::json out;
   const int draws = argc > 3 ? std::atoi(argv[3]) : 32;
   // It takes an hour: what there is, is kept.
-  const auto keep = [&] { std::ofstream(argv[1]) << out.dump(1) << "\n"; };
-  out["pooled"] = bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws);
-  keep();
+  const auto add = [&](char table, const char* name, const std::function<nlohmann::json()>& rows)
+  {
+    if (tables.find(table) == std::string::npos)
+      return;
+    out[name] = rows();
+    std::ofstream(argv[1]) << out.dump(1) << "\n";
+  };
+  add('p', "pooled", [&] { return bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws); });
+  const std::vector<bench::UncertainCase> late{bench::uncertainCase("C"), bench::uncertainCase("G")};
   std::printf("positions that come ten seconds late\n");
-  std::vector<bench::UncertainCase> late{bench::uncertainCase("C"), bench::uncertainCase("G")};
-  out["late"] = bench::pooled(late, cases, {10.0}, std::min(draws, 8));
-  keep();
+  add('l', "late", [&] { return bench::pooled(late, cases, {10.0}, std::min(draws, 8)); });
   std::printf("the current changes by 0.3 m/s; from five minutes after that on\n");
-  out["changing_current"] = bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, std::min(draws, 8));
-  keep();
-  out["misconfigured"] = bench::misconfigured(cases);
-  keep();
+  add('c', "changing_current",
+      [&] {
+        return bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, std::min(draws, 8));
+      });
+  add('m', "misconfigured", [&] { return bench::misconfigured(cases); });
   return 0;
 }

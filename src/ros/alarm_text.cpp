@@ -6,13 +6,26 @@
 
 namespace tether_monitor
 {
+namespace
+{
+// "1.05 -", or that there is none: an alarm may stay while its value is not known.
+std::string valueText(double value, const std::string& unit)
+{
+  if (std::isnan(value))
+    return "not known";
+  char text[60];
+  std::snprintf(text, sizeof(text), "%.3g ", value);
+  return text + unit;
+}
+}  // namespace
+
 std::string alarmText(const monitor::Alarm& alarm, const TimeOrigin& time)
 {
   const monitor::AlarmDefinition& d = alarm.definition();
   const char* side = d.side == monitor::Side::ABOVE ? "above" : "below";
   char piece[200];
-  std::snprintf(piece, sizeof(piece), "%s %s: %.3g %s, limit %s %.3g", d.name.c_str(), describe(alarm.state()),
-                alarm.value(), d.unit.c_str(), side, d.limit);
+  std::snprintf(piece, sizeof(piece), "%s %s: %s, limit %s %.3g", d.name.c_str(), describe(alarm.state()),
+                valueText(alarm.value(), d.unit).c_str(), side, d.limit);
   std::string text = piece;
   if (!std::isnan(alarm.onset()))
   {
@@ -34,8 +47,8 @@ std::string alarmText(const monitor::Alarm& alarm, const TimeOrigin& time)
 std::string eventText(const monitor::AlarmEvent& event, const monitor::AlarmDefinition& definition)
 {
   char text[300];
-  std::snprintf(text, sizeof(text), "%s %s: %.3g %s, limit %.3g", definition.name.c_str(), describe(event.to),
-                event.value, definition.unit.c_str(), definition.limit);
+  std::snprintf(text, sizeof(text), "%s %s: %s, limit %.3g", definition.name.c_str(), describe(event.to),
+                valueText(event.value, definition.unit).c_str(), definition.limit);
   if (std::isnan(event.duration) || !(event.duration > 0.0))
     return text;
   char more[100];
