@@ -12,8 +12,9 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double STEP = 0.2;                 // [s] of the vessel's courses, and at most of the tether
-constexpr double INTERVAL = 0.5;             // [s] between the times of a forecast
+constexpr double STEP = 0.2;       // [s] of the vessel's courses, and at most of the tether
+constexpr double INTERVAL = 0.5;   // [s] between the times of a forecast
+constexpr double BEGINNING = 2.0;  // [s] until a member has left the errors of the moment's motion behind
 constexpr double WINCH_ACCELERATION = 0.25;  // with which a winch gets to a commanded rate [m/s^2]
 constexpr double LARGEST_LOST_SHARE = 0.25;  // of the members
 constexpr double TOLERATED = 0.05;           // probability of over-tension
@@ -117,6 +118,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
     reaction.emplace(*start.reaction, pull, state.vehicle.orientation * start.thrust.force, start.max_thrust,
                      random);
   const int steps = static_cast<int>(std::lround(extent.horizon / STEP));
+  const int first = static_cast<int>(std::lround(std::min(BEGINNING, 0.5 * extent.horizon) / STEP));
   core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
   core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
   for (int k = 1; k <= steps; ++k)
@@ -150,6 +152,11 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
     core::computeStations(cable, state, estimate_.stations);
     pull = estimate_.stations.ends.vehicle;
     summarize(cable, estimate_);
+    if (k < first)
+      continue;
+    // It stands for what was before.
+    for (int before = 1; k == first && before < first; ++before)
+      traces_.add(index, STEP * before, estimate_, limits_);
     traces_.add(index, STEP * k, estimate_, limits_);
     if (extent.isQuestion() && traces_.passesLimit(index))
       return true;
