@@ -145,22 +145,25 @@ int main(int argc, char** argv)
   nlohmann::json out;
   const int draws = argc > 3 ? std::atoi(argv[3]) : 32;
   // It takes an hour: what there is, is kept.
-  const auto add = [&](char table, const char* name, const std::function<nlohmann::json()>& rows)
+  const auto add = [&](char table, const char* name, const char* what, const std::function<nlohmann::json()>& rows)
   {
     if (tables.find(table) == std::string::npos)
       return;
+    std::printf("%s\n", what);
     out[name] = rows();
     std::ofstream(argv[1]) << out.dump(1) << "\n";
   };
-  add('p', "pooled", [&] { return bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws); });
+  add('p', "pooled", "truths that are drawn from what is told",
+      [&] {
+        return bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws);
+      });
   const std::vector<bench::UncertainCase> late{bench::uncertainCase("C"), bench::uncertainCase("G")};
-  std::printf("positions that come ten seconds late\n");
-  add('l', "late", [&] { return bench::pooled(late, cases, {10.0}, std::min(draws, 8)); });
-  std::printf("the current changes by 0.3 m/s; from five minutes after that on\n");
-  add('c', "changing_current",
+  add('l', "late", "positions that come ten seconds late",
+      [&] { return bench::pooled(late, cases, {10.0}, std::min(draws, 8)); });
+  add('c', "changing_current", "the current changes by 0.3 m/s; from five minutes after that on",
       [&] {
         return bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, std::min(draws, 8));
       });
-  add('m', "misconfigured", [&] { return bench::misconfigured(cases); });
+  add('m', "misconfigured", "one thing configured wrong", [&] { return bench::misconfigured(cases); });
   return 0;
 }

@@ -127,19 +127,17 @@ def forecast(dive):
 
 def inputs(table):
     """A row a topic: where nothing came it is white, where something was refused there is a dot."""
-    names = sorted(set(table.text("topic")))
-    rows = table.text("topic")
+    topics = sorted(table.groups("topic"), key=lambda group: group[0])
     t, messages, refused = table["t"], table["messages"], table["refused"]
     period = np.min(np.diff(np.unique(t))) if len(np.unique(t)) > 1 else 10.0
-    figure, axis = plt.subplots(figsize=(9.0, 0.8 + 0.3 * len(names)))
-    for k, name in enumerate(names):
-        pick = np.array([row == name for row in rows])
+    figure, axis = plt.subplots(figsize=(9.0, 0.8 + 0.3 * len(topics)))
+    for k, (_, pick) in enumerate(topics):
         usual = np.median(messages[pick])
         axis.bar(t[pick], np.minimum(0.8 * messages[pick] / usual, 0.8), width=period, bottom=k - 0.4, align="edge", color=VESSEL, linewidth=0)
         bad = pick & (refused > 0)
         axis.plot(t[bad] + 0.5 * period, np.full(bad.sum(), k), "o", color=LIMIT, markersize=4)
-    axis.set_yticks(range(len(names)))
-    axis.set_yticklabels(names, fontsize=8)
+    axis.set_yticks(range(len(topics)))
+    axis.set_yticklabels([name for name, _ in topics], fontsize=8)
     axis.set_xlabel("time [s]; height: messages over their usual number, dots: some were refused")
     return svg(figure)
 
@@ -173,17 +171,15 @@ def cycle_counts(counted, unit):
 
 
 def parameters(table):
-    names = list(dict.fromkeys(table.text("name")))
-    rows = table.text("name")
-    figure, axes = plt.subplots(-(-len(names) // 3), 3, figsize=(9.0, 1.7 * -(-len(names) // 3)), sharex=True, squeeze=False)
+    groups = table.groups("name")
+    figure, axes = plt.subplots(-(-len(groups) // 3), 3, figsize=(9.0, 1.7 * -(-len(groups) // 3)), sharex=True, squeeze=False)
     t, mean, stddev, configured = (table[key] for key in ("t", "mean", "stddev", "configured"))
-    for axis, name in zip(axes.flat, names):
-        pick = np.array([row == name for row in rows])
+    for axis, (name, pick) in zip(axes.flat, groups):
         axis.fill_between(t[pick], mean[pick] - stddev[pick], mean[pick] + stddev[pick], color=VESSEL, alpha=0.25, linewidth=0)
         axis.plot(t[pick], mean[pick], color=VESSEL, linewidth=1.0)
         axis.plot(t[pick], configured[pick], color=BREAKING, linestyle="--", linewidth=0.8)
         axis.set_title(name, fontsize=8)
-    for axis in list(axes.flat)[len(names):]:
+    for axis in list(axes.flat)[len(groups):]:
         axis.axis("off")
     figure.tight_layout()
     return svg(figure)

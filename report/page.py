@@ -118,21 +118,17 @@ def fatigue(dive):
 
 
 def contacts(table_of):
-    names = table_of.text("obstacle")
     t, s = table_of["t"], table_of["s"]
     rows = []
-    for name in dict.fromkeys(names):
-        pick = np.array([n == name for n in names])
+    for name, pick in table_of.groups("obstacle"):
         rows.append([name, "%.1f" % t[pick][0], "%.1f" % t[pick][-1], int(pick.sum()), "%.1f to %.1f" % (s[pick].min(), s[pick].max())])
     return table(["obstacle", "first [s]", "last [s]", "rows", "s [m]"], rows)
 
 
 def inputs(table_of):
-    names = table_of.text("topic")
     t, messages, refused, delay, gap = (table_of[key] for key in ("t", "messages", "refused", "delay", "longest_gap"))
     rows = []
-    for name in sorted(set(names)):
-        pick = np.array([n == name for n in names])
+    for name, pick in sorted(table_of.groups("topic"), key=lambda group: group[0]):
         count, worst = messages[pick].sum(), int(np.argmax(np.where(pick, gap, -1.0)))
         rows.append([name, int(count), int(refused[pick].sum()), "%.2f" % ((delay[pick] * messages[pick]).sum() / count),
                      "%.1f, in the ten seconds from t = %.0f" % (gap[worst], t[worst])])

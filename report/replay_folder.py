@@ -47,6 +47,11 @@ class Table:
         except ValueError as error:
             raise ReplayError("%s: column %s: %s" % (self.path, name, error)) from error
 
+    def groups(self, column):
+        """Every text of a column, in order of appearance, with the rows that have it."""
+        texts = np.array(self.text(column))
+        return [(text, texts == text) for text in dict.fromkeys(texts.tolist())]
+
 
 class ReplayFolder:
     """Tension, shape, alarms, parameters and forecasts of one dive. What a replay did not write is None."""

@@ -99,6 +99,7 @@ class Watch:
 
 def main():
     hours, speed = float(sys.argv[1]), float(sys.argv[2])
+    profile = tempfile.mkdtemp()
     processes = [subprocess.Popen(["roscore", "-p", PORT], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)]
     try:
         time.sleep(3.0)
@@ -123,7 +124,7 @@ def main():
         if browser:
             time.sleep(3.0)
             browser = start(browser, "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-port=0",
-                            "--user-data-dir=" + tempfile.mkdtemp(), "http://127.0.0.1:%d/" % PAGE)
+                            "--user-data-dir=" + profile, "http://127.0.0.1:%d/" % PAGE)
         began, wall, since = None, time.time(), time.time()
         print("| simulated [h] | real [h] | monitor [MB] | simulator [MB] | page's server, browser [MB] | states: OK, DEGRADED, INVALID | cycles | page's frames |\n"
               "|---|---|---|---|---|---|---|---|", flush=True)
@@ -155,6 +156,7 @@ def main():
                 process.wait(timeout=15.0)
             except subprocess.TimeoutExpired:
                 process.kill()
+        shutil.rmtree(profile, ignore_errors=True)
 
 
 if __name__ == "__main__":

@@ -46,9 +46,7 @@ MotionErrorFilter::Covariance MotionErrorFilter::systemMatrix() const
 {
   const core::Matrix3 inverse = tether_.mass.inverse();
   Covariance A = Covariance::Zero();
-  A.block<3, 3>(POSITION, VELOCITY).setIdentity();
-  A.block<3, 3>(VELOCITY, POSITION) = -inverse * tether_.stiffness;
-  A.block<3, 3>(VELOCITY, VELOCITY) = -inverse * tether_.damping;
+  A.block<6, 6>(POSITION, POSITION) = tether_.systemMatrix();
   A.block<3, 3>(VELOCITY, FAST) = inverse;
   A.block<3, 3>(VELOCITY, SLOW) = inverse;
   A.block<3, 3>(FAST, FAST) = -core::Matrix3::Identity() / force_.fast_memory;

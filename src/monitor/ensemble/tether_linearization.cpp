@@ -8,6 +8,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+constexpr double FASTEST_GROWTH = 0.1;  // of a motion that a tether may drive [1/s]
+
 TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
 {
   TensionJacobian slope;
@@ -15,8 +17,6 @@ TensionJacobian slopeBetween(const RowVector3& slow, const RowVector3& fast)
   slope.position = slow - TetherLinearization::FIT_RATE_LOW * slope.velocity;
   return slope;
 }
-
-constexpr double FASTEST_GROWTH = 0.1;  // of a motion that a tether may drive [1/s]
 
 // That of its quadratic form.
 core::Matrix3 withoutNegativePart(const core::Matrix3& matrix)
@@ -39,15 +39,19 @@ bool TetherLinearization::fitMotion(const core::Matrix3& slow, const core::Matri
   return false;
 }
 
+Eigen::Matrix<double, 6, 6> TetherLinearization::systemMatrix() const
+{
+  const core::Matrix3 inverse = mass.inverse();
+  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
+  A.topRightCorner<3, 3>().setIdentity();
+  A.bottomLeftCorner<3, 3>() = -inverse * stiffness;
+  A.bottomRightCorner<3, 3>() = -inverse * damping;
+  return A;
+}
+
 double TetherLinearization::growthRate() const
 {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  const core::Matrix3 inverse = mass.inverse();
-  Matrix6 system = Matrix6::Zero();
-  system.topRightCorner<3, 3>().setIdentity();
-  system.bottomLeftCorner<3, 3>() = -inverse * stiffness;
-  system.bottomRightCorner<3, 3>() = -inverse * damping;
-  return Eigen::EigenSolver<Matrix6>(system, false).eigenvalues().real().maxCoeff();
+  return Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>>(systemMatrix(), false).eigenvalues().real().maxCoeff();
 }
 
 void TetherLinearization::blend(const TetherLinearization& other, double share)

@@ -154,10 +154,9 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
     summarize(cable, estimate_);
     if (k < first)
       continue;
-    // It stands for what was before.
-    for (int before = 1; k == first && before < first; ++before)
-      traces_.add(index, STEP * before, estimate_, limits_);
-    traces_.add(index, STEP * k, estimate_, limits_);
+    // The first that counts stands for what was before.
+    for (int at_step = k == first ? 1 : k; at_step <= k; ++at_step)
+      traces_.add(index, STEP * at_step, estimate_, limits_);
     if (extent.isQuestion() && traces_.passesLimit(index))
       return true;
     if (estimate_.breaking_utilisation > 1.0)

@@ -30,7 +30,7 @@ void ThrustReaction::observe(double t, const core::Vector3& thrust, const core::
     return;
   }
   observed_for_ += dt;
-  slow_force_ += (1.0 - std::exp(-dt / RESPONSE)) * (tether_force - slow_force_);
+  slow_force_ = smoothed(slow_force_, tether_force, dt);
   const double share = 1.0 - std::exp(-dt / std::min(MEMORY, observed_for_));
   const core::Vector3 f = slow_force_ - force_mean_, u = thrust - thrust_mean_;
   force_mean_ += share * f;
@@ -48,34 +48,28 @@ bool ThrustReaction::isValid() const
 }
 
 // Least squares with the prior: what the regression leaves unexplained is its noise.
-core::Vector3 ThrustReaction::shareStddev() const
+ThrustReaction::Share ThrustReaction::share() const
 {
-  core::Vector3 stddev;
-  const double independent = std::min(observed_for_, 2.0 * MEMORY) / INDEPENDENT;
+  Share share;
+  const double independent = std::max(std::min(observed_for_, 2.0 * MEMORY) / INDEPENDENT, 1.0);
   for (int k = 0; k < 3; ++k)
   {
     const double signal = std::max(force_square_[k] - FORCE_NOISE * FORCE_NOISE, 0.0);
     const double slope = std::clamp(signal > 0.0 ? -product_[k] / signal : 0.0, 0.0, 1.0);
     const double left =
         std::max(thrust_square_[k] + 2.0 * slope * product_[k] + slope * slope * force_square_[k], 0.0);
-    const double noise = (left + FORCE_NOISE * FORCE_NOISE) / std::max(independent, 1.0);
-    stddev[k] = std::sqrt(1.0 / (1.0 / PRIOR_VARIANCE + signal / noise));
-  }
-  return stddev;
-}
-
-core::Vector3 ThrustReaction::share() const
-{
-  const core::Vector3 variance = shareStddev().cwiseAbs2();
-  core::Vector3 share;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double signal = std::max(force_square_[k] - FORCE_NOISE * FORCE_NOISE, 0.0);
-    const double slope = std::clamp(signal > 0.0 ? -product_[k] / signal : 0.0, 0.0, 1.0);
-    const double known = 1.0 - variance[k] / PRIOR_VARIANCE;
-    share[k] = known * slope + (1.0 - known) * PRIOR_SHARE;
+    const double noise = (left + FORCE_NOISE * FORCE_NOISE) / independent;
+    const double variance = 1.0 / (1.0 / PRIOR_VARIANCE + signal / noise);
+    const double unknown = variance / PRIOR_VARIANCE;
+    share.mean[k] = (1.0 - unknown) * slope + unknown * PRIOR_SHARE;
+    share.stddev[k] = std::sqrt(variance);
   }
   return share;
+}
+
+core::Vector3 ThrustReaction::smoothed(const core::Vector3& slow, const core::Vector3& now, double dt)
+{
+  return slow + (1.0 - std::exp(-dt / RESPONSE)) * (now - slow);
 }
 
 }  // namespace tether_monitor::monitor

@@ -49,18 +49,18 @@ TEST(ThrustReaction, TellsAStickFromAnAutopilot)
   const ThrustReaction reaction = watched(60.0, 300.0);
   ASSERT_TRUE(reaction.isReady());
   EXPECT_TRUE(reaction.isValid());
-  EXPECT_NEAR(reaction.share().x(), 0.0, 0.05);
-  EXPECT_NEAR(reaction.share().y(), 1.0, 0.1);
-  EXPECT_NEAR(reaction.share().z(), 0.5, 0.1);
-  EXPECT_LT(reaction.shareStddev().maxCoeff(), 0.15);
+  EXPECT_NEAR(reaction.share().mean.x(), 0.0, 0.05);
+  EXPECT_NEAR(reaction.share().mean.y(), 1.0, 0.1);
+  EXPECT_NEAR(reaction.share().mean.z(), 0.5, 0.1);
+  EXPECT_LT(reaction.share().stddev.maxCoeff(), 0.15);
   EXPECT_NEAR(reaction.largestThrust(), 235.0, 40.0);
 }
 
 TEST(ThrustReaction, KnowsNothingOfATetherThatDoesNotPull)
 {
   const ThrustReaction reaction = watched(60.0, 1.0);
-  EXPECT_NEAR(reaction.share().y(), 0.5, 0.05);
-  EXPECT_NEAR(reaction.shareStddev().y(), std::sqrt(1.0 / 12.0), 0.01);
+  EXPECT_NEAR(reaction.share().mean.y(), 0.5, 0.05);
+  EXPECT_NEAR(reaction.share().stddev.y(), std::sqrt(1.0 / 12.0), 0.01);
 }
 
 TEST(ThrustReaction, BeginsAnewAfterAGap)

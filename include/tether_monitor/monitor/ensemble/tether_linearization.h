@@ -44,6 +44,8 @@ struct TetherLinearization
    * @return  false if they had to be held: then the faster of the two says nothing of slow motions.
    */
   bool fitMotion(const core::Matrix3& slow, const core::Matrix3& fast);
+  /// Rates of position and velocity for a position and a velocity that nothing else drives.
+  Eigen::Matrix<double, 6, 6> systemMatrix() const;
   /// Of the fastest growing motion [1/s]; negative: all decay.
   double growthRate() const;
   /// What an uncertain place of the vessel end makes of the tension there [N]. @param stddev  of that place [m].

@@ -31,8 +31,13 @@ class ThrustReaction
   double largestThrust() const { return largest_; }
   /// The share of a change of the tether's force that thrust takes off again, 0 (held) to 1, of every world axis:
   /// its most probable value, and how uncertain that is.
-  core::Vector3 share() const;
-  core::Vector3 shareStddev() const;
+  struct Share
+  {
+    core::Vector3 mean, stddev;
+  };
+  Share share() const;
+  /// A force without waves, a time dt [s] later [N].
+  static core::Vector3 smoothed(const core::Vector3& slow, const core::Vector3& now, double dt);
 
   template <class Archive>
   void serialize(Archive& a)
