@@ -157,12 +157,13 @@ int main(int argc, char** argv)
       [&] {
         return bench::pooled(bench::uncertainCases(), cases, {0.0, 1.0}, draws);
       });
-  const std::vector<bench::UncertainCase> late{bench::uncertainCase("C"), bench::uncertainCase("G")};
+  const std::vector<bench::UncertainCase> late{bench::uncertainCase("C"), bench::uncertainCase("D"),
+                                               bench::uncertainCase("G")};
   add('l', "late", "positions that come ten seconds late",
-      [&] { return bench::pooled(late, cases, {10.0}, std::min(draws, 8)); });
+      [&] { return bench::pooled(late, cases, {10.0}, draws); });
   add('c', "changing_current", "the current changes by 0.3 m/s; from five minutes after that on",
       [&] {
-        return bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, std::min(draws, 8));
+        return bench::pooled(bench::changingCurrents(), cases, {0.0, 1.0}, draws);
       });
   add('m', "misconfigured", "one thing configured wrong", [&] { return bench::misconfigured(cases); });
   return 0;

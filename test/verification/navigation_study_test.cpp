@@ -200,6 +200,21 @@ TEST(Navigation, SlowerAndLaterPositionsAreStillGood)
       << "every other second, three seconds late";
 }
 
+// What was learnt while a position was under way counts when it is looked at.
+TEST(Navigation, ATurnIsFollowedFromPositionsTenSecondsLate)
+{
+  UncertainCase turn = uncertainCase("D");
+  turn.true_elements = 30;
+  StudyOptions options;
+  options.draws = 2;
+  options.latency = 10.0;
+  const StudyResult r = studyPooled(turn, options);
+  EXPECT_LT(r.position_rms, 2.5);
+  EXPECT_LT(r.vessel.nees, 3.0);
+  EXPECT_GT(r.valid, 0.95);
+  EXPECT_LT(r.implausible, 0.05);
+}
+
 TEST(Navigation, AGapInTheTurnIsCoveredByTheBand)
 {
   const Truth truth = makeTruth(caseNamed("D"), 0.0, core::Vector3::Zero());

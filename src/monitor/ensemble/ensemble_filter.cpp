@@ -28,8 +28,6 @@ constexpr double PLACE_MEMORY = 60.0;            // [s] in which it stays
 constexpr double DYNAMIC_MODEL_ERROR = 0.5;      // of what a tension varies by, standard deviations
 constexpr double START_MODEL_ERROR = 0.3;        // of a tension at the start, relative
 constexpr double START_MEMORY = 15.0;            // [s]
-constexpr double TENSION_SPREAD_TIME = 30.0;     // [s]
-constexpr double LEAST_INTERVAL = 1e-3;          // [s]
 constexpr double RESET_PLACE = 0.5;              // [m] by which a place is doubted after a reset
 
 core::Matrix3 isotropic(double stddev)
@@ -37,28 +35,6 @@ core::Matrix3 isotropic(double stddev)
   return stddev * stddev * core::Matrix3::Identity();
 }
 }  // namespace
-
-void ReadingRate::note(double t)
-{
-  if (!(t > last_))
-    return;
-  interval_ = t - last_;
-  last_ = t;
-}
-
-double ReadingRate::repeatsIn(double memory) const
-{
-  return memory / std::clamp(interval_, LEAST_INTERVAL, memory);
-}
-
-void TensionSpread::add(double tension, double dt)
-{
-  if (std::isnan(mean))
-    mean = tension;
-  const double share = 1.0 - std::exp(-dt / TENSION_SPREAD_TIME);
-  variance += share * (std::pow(tension - mean, 2) - variance);
-  mean += share * (tension - mean);
-}
 
 std::size_t EnsembleFilter::ticksFor(const Config& config)
 {
@@ -81,8 +57,8 @@ EnsembleFilter::EnsembleFilter(const Config& config)
     ticks_(ticksFor(config)),
     transforms_(TRANSFORMS),
     random_(7),
-    sight_{MotionErrorFilter::Jacobian::Zero(), MemberVectors::Zero(3, count_), MemberVectors::Zero(3, count_),
-           Eigen::RowVectorXd::Zero(count_), core::Matrix3::Identity()},
+    sight_{MotionErrorFilter::Jacobian::Zero(), MemberVectors::Zero(3, count_),   MemberVectors::Zero(3, count_),
+           MemberVectors::Zero(3, count_),      Eigen::RowVectorXd::Zero(count_), core::Matrix3::Identity()},
     sample_(PARAMETERS, count_),
     spacing_((config.navigation.latency + OUT_OF_ORDER) / static_cast<double>(ticks_.capacity() - 8))
 {
@@ -117,6 +93,7 @@ void EnsembleFilter::begin(const EnsembleStart& start, const core::Matrix3& posi
   gate_.start(t, measured_at);
   walked_at_ = began_at_ = t;
   believed_.t = -std::numeric_limits<double>::infinity();
+  first_transform_ = next_transform_;
   ticks_.clear();
   Tick& tick = ticks_.emplaceBack();
   tick.t = t;
@@ -301,6 +278,7 @@ void EnsembleFilter::process(VehicleMeasurement& fix, std::size_t tick, const co
     fix.processed = static_cast<int>(next_transform_++ % static_cast<long>(TRANSFORMS));
     transforms_[fix.processed].t = fix.t;
     transforms_[fix.processed].accepted = false;
+    transforms_[fix.processed].learnt_at = ticks_.back().t;
     rateOf(fix.kind).note(fix.t);
   }
   Transform& slot = transforms_[fix.processed];
@@ -314,7 +292,7 @@ void EnsembleFilter::process(VehicleMeasurement& fix, std::size_t tick, const co
       return;
     if (fix.kind == VehicleMeasurement::Kind::TENSION)
       believe(fix);
-    learn(fix, innovation, slot.transform);
+    learn(fix, ticks_[tick].t, slot.transform);
   }
   motion_.correct(sight_.jacobian, sight_.innovations, gate_.noiseVarianceScale() * sight_.noise);
   // The unknown forces go with the parameters; where the vehicle is, the next measurements tell.
@@ -333,15 +311,35 @@ void EnsembleFilter::believe(const VehicleMeasurement& reading)
   believed_.nominal = sight_.nominal_tension;
 }
 
+// (E9): what the members would have predicted of a measurement at time t [s], had they known what was learnt
+// since. The last transform is the measurement's own.
+void EnsembleFilter::hindcast(double t)
+{
+  const auto slot = [&](long n) -> const Transform&
+  { return transforms_[static_cast<std::size_t>(n) % TRANSFORMS]; };
+  const long end = next_transform_ - 1;
+  const long oldest = std::max(first_transform_, next_transform_ - static_cast<long>(TRANSFORMS));
+  long from = end;
+  while (from > oldest && slot(from - 1).learnt_at > t)
+    --from;
+  for (long n = from; n < end; ++n)
+    if (slot(n).accepted)
+      slot(n).transform.apply(sight_.hindcast);
+}
+
 // Positions that follow each other closely tell the same of the parameters: only as much as one in ten seconds.
-void EnsembleFilter::learn(const VehicleMeasurement& fix, const core::Vector3& innovation,
-                           EnsembleTransform& transform)
+void EnsembleFilter::learn(const VehicleMeasurement& fix, double tick, EnsembleTransform& transform)
 {
   const bool is_of_vehicle =
       fix.kind == VehicleMeasurement::Kind::POSITION || fix.kind == VehicleMeasurement::Kind::VELOCITY;
   const double repeats = is_of_vehicle ? position_rate_.repeatsIn(POSITION_MEMORY) : 1.0;
+  sight_.hindcast = sight_.predicted;
+  if (is_of_vehicle)
+    hindcast(tick);
+  const core::Vector3 innovation =
+      (sight_.predicted + sight_.innovations).rowwise().mean() - sight_.hindcast.rowwise().mean();
   transform.set(
-      sight_.predicted, innovation,
+      sight_.hindcast, innovation,
       repeats * motion_.innovationCovariance(sight_.jacobian, gate_.noiseVarianceScale() * sight_.noise));
   transform.apply(parameters_);
 }
@@ -353,6 +351,7 @@ void EnsembleFilter::reset()
   for (int k = 0; k < PARAMETERS; ++k)
     parameters_.row(k) = prior_.stddev[k] * sample_.row(k);
   motion_.inflate(RESET_PLACE, unknown_force_.slow_stddev);
+  first_transform_ = next_transform_;
   ++resets_;
 }
 

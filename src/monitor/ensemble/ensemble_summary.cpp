@@ -9,14 +9,19 @@ namespace
 {
 constexpr double NORMAL_P95 = 1.6448536;
 constexpr double LARGER = 2.0, MORE = 0.3;  // of the squared distance from the medians: too far to stay
+
+double stddevAbout(double median, const Eigen::RowVectorXd& values, double own)
+{
+  return std::sqrt(std::pow(values.mean() - median, 2) + varianceOf(values) + own * own);
+}
 }  // namespace
 
 Distribution distributionOf(Eigen::RowVectorXd& values, double own)
 {
   Distribution d;
-  d.stddev = std::sqrt(varianceOf(values) + own * own);
   std::sort(values.data(), values.data() + values.size());
   d.median = quantile(values, 0.5);
+  d.stddev = stddevAbout(d.median, values, own);
   const double wider = NORMAL_P95 * own;
   d.p05 = std::max(d.median - std::hypot(d.median - quantile(values, 0.05), wider), 0.0);
   d.p95 = d.median + std::hypot(quantile(values, 0.95) - d.median, wider);
@@ -56,10 +61,9 @@ void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors
     const double share = shareOf(k);
     for (int i = 0; i < n; ++i)
       values_[i] = profiles_[i].tension[k];
-    tension_stddev_[k] =
-        std::sqrt(varianceOf(values_) + std::pow((1.0 - share) * own.vessel + share * own.vehicle, 2));
     std::nth_element(values_.data(), values_.data() + n / 2, values_.data() + n);
     tension_[k] = values_[n / 2];
+    tension_stddev_[k] = stddevAbout(tension_[k], values_, (1.0 - share) * own.vessel + share * own.vehicle);
     core::Vector3 sum = core::Vector3::Zero(), square = core::Vector3::Zero();
     for (int i = 0; i < n; ++i)
       sum += profiles_[i].position[k];

@@ -31,5 +31,6 @@ TEST(Distribution, ASkewedOneStaysSkewed)
   EXPECT_NEAR(d.p05, 0.0025, 1e-3);
   EXPECT_NEAR(d.p95, 0.9025, 1e-3);
   EXPECT_GT(d.p95 - d.median, 2.0 * (d.median - d.p05));
+  EXPECT_NEAR(d.stddev, std::sqrt(1.0 / 5.0 - 2.0 * 0.25 / 3.0 + 0.25 * 0.25), 1e-3) << "about what is published";
 }
 }  // namespace tether_monitor::monitor

@@ -6,31 +6,13 @@
 #include "tether_monitor/monitor/ensemble/innovation_gate.h"
 #include "tether_monitor/monitor/ensemble/motion_error_filter.h"
 #include "tether_monitor/monitor/ensemble/random_numbers.h"
+#include "tether_monitor/monitor/ensemble/reading_statistics.h"
 #include "tether_monitor/monitor/measurements/measurement_history.h"
 #include "tether_monitor/monitor/measurements/ring_buffer.h"
 #include "tether_monitor/monitor/measurements/tension_residual.h"
 
 namespace tether_monitor::monitor
 {
-/// How often readings of one kind come.
-class ReadingRate
-{
- public:
-  void note(double t);
-  /// Readings in so many seconds [-], at least 1.
-  double repeatsIn(double memory) const;
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(last_, interval_);
-  }
-
- private:
-  double last_ = -std::numeric_limits<double>::infinity();
-  double interval_ = std::numeric_limits<double>::infinity();
-};
-
 /// The last reading of the load cell that was believed, and what the nominal members had at its time.
 struct BelievedReading
 {
@@ -46,28 +28,14 @@ struct BelievedReading
   }
 };
 
-/// How much a tension varies in the waves.
-struct TensionSpread
-{
-  double mean = std::numeric_limits<double>::quiet_NaN();  ///< of the last half minute [N].
-  double variance = 0.0;                                   ///< [N^2]
-
-  void add(double tension, double dt);
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(mean, variance);
-  }
-};
-
 /**
  * What the measurements tell of an ensemble: of every member's vehicle, MotionErrorFilter, and from the
  * innovations of all of them of the parameters, EnsembleTransform: Friedland's two-stage filter (1969), (E1)-(E7)
  * of doc/theory/estimation.md.
  *
  * A measurement counts at its own time. How the members moved is remembered; one that comes late is compared with
- * that, and the motion filters go on from there again, which costs no step of any tether.
+ * that, and the motion filters go on from there again, which costs no step of any tether. What it tells of the
+ * parameters is told by what the members would have predicted, had they known what was learnt since then.
  */
 class EnsembleFilter
 {
@@ -119,8 +87,8 @@ class EnsembleFilter
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, random_,
-      walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_,
+    a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, first_transform_,
+      random_, walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_,
       tension_residual_, believed_);
   }
 
@@ -142,20 +110,20 @@ class EnsembleFilter
   struct Transform
   {
     EnsembleTransform transform;
-    double t = 0.0;
+    double t = 0.0, learnt_at = 0.0;  // of the measurement, and when it came [s]
     bool accepted = false;
 
     template <class Archive>
     void serialize(Archive& a)
     {
-      a(transform, t, accepted);
+      a(transform, t, learnt_at, accepted);
     }
   };
   // One measurement as the members see it.
   struct Sight
   {
     MotionErrorFilter::Jacobian jacobian;
-    MemberVectors predicted, innovations;
+    MemberVectors predicted, innovations, hindcast;
     Eigen::RowVectorXd nominal_tension;  // of a reading of the load cell
     core::Matrix3 noise;
   };
@@ -165,7 +133,8 @@ class EnsembleFilter
   bool look(const VehicleMeasurement& fix, std::size_t tick, const core::Vector3& origin);
   bool isAccepted(const VehicleMeasurement& fix, const core::Vector3& innovation);
   void believe(const VehicleMeasurement& reading);
-  void learn(const VehicleMeasurement& fix, const core::Vector3& innovation, EnsembleTransform& transform);
+  void hindcast(double t);
+  void learn(const VehicleMeasurement& fix, double tick, EnsembleTransform& transform);
   ReadingRate& rateOf(VehicleMeasurement::Kind kind);
   double startError(double t) const;
   void reset();
@@ -184,7 +153,7 @@ class EnsembleFilter
   MemberVectors applied_;
   RingBuffer<Tick> ticks_;
   std::vector<Transform> transforms_;
-  long next_transform_ = 0;
+  long next_transform_ = 0, first_transform_ = 0;  // since the parameters were drawn
   RandomNumbers random_;
   Sight sight_;
   Eigen::MatrixXd sample_;

@@ -21,9 +21,9 @@ struct Distribution
 };
 
 /**
- * Median, quantiles and standard deviation of the members' values, and of what every member is unsure of itself:
- * both halves of the distribution grow with it in quadrature, the lower one down to zero: a tether does not push.
- * Allocates nothing.
+ * Median, quantiles and standard deviation about the median of the members' values, and of what every member is
+ * unsure of itself: both halves of the distribution grow with it in quadrature, the lower one down to zero: a
+ * tether does not push. Allocates nothing.
  *
  * @param values  in and out: their order is lost.
  * @param own     standard deviation of every member's value.
