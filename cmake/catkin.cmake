@@ -8,7 +8,7 @@ if(NOT DEFINED CATKIN_DEVEL_PREFIX)
 endif()
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag rosbag_storage
+  diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag rosbag_storage
   roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
 add_message_files(FILES

@@ -33,6 +33,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/input_statistics.cpp
   src/ros/recent_fixes.cpp
   src/ros/input_topics.cpp
+  src/ros/live_settings_server.cpp
   src/ros/markers.cpp
   src/ros/master_watch.cpp
   src/ros/message_bounds.cpp

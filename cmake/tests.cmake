@@ -77,6 +77,7 @@ set(test_files
   test/monitor/estimator/free_vehicle_end_test.cpp
   test/monitor/estimator/input_faults_test.cpp
   test/monitor/estimator/input_watchdog_test.cpp
+  test/monitor/estimator/live_settings_test.cpp
   test/monitor/estimator/observed_vehicle_end_test.cpp
   test/monitor/estimator/observed_vehicle_faults_test.cpp
   test/monitor/estimator/obstacle_tracker_test.cpp

@@ -64,14 +64,14 @@ void ForecastBudget::note(double took)
 }
 
 ForecastThread::ForecastThread(const monitor::Config& config, Ready ready)
-  : config_(config),
+  : schedule_(config.forecast),
     ready_(std::move(ready)),
-    forecaster_(config),
+    config_(config),
     budget_(config.forecast),
     speed_(monitor::TetherForecast::NONE),
     payout_rate_(monitor::TetherForecast::NONE)
 {
-  forecaster_.stopWhen(is_over_);
+  makeForecaster(config);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -88,7 +88,7 @@ ForecastThread::~ForecastThread()
 bool ForecastThread::isDue(double t) const
 {
   const std::lock_guard<PriorityMutex> lock(mutex_);
-  return !is_busy_ && config_.forecast.rate > 0.0 && (t >= last_ + budget_.interval() - 1e-6 || t < last_);
+  return !is_busy_ && schedule_.rate > 0.0 && (t >= last_ + budget_.interval() - 1e-6 || t < last_);
 }
 
 void ForecastThread::submit(Start start)
@@ -110,6 +110,19 @@ ForecastBudget ForecastThread::budget() const
   return budget_;
 }
 
+void ForecastThread::reconfigure(const monitor::Config& config)
+{
+  const std::lock_guard<PriorityMutex> lock(mutex_);
+  config_ = config;
+  is_reconfigured_ = true;
+}
+
+void ForecastThread::makeForecaster(const monitor::Config& config)
+{
+  forecaster_.emplace(config);
+  forecaster_->stopWhen(is_over_);
+}
+
 void ForecastThread::run()
 {
   setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), LOW_PRIORITY);
@@ -123,6 +136,9 @@ void ForecastThread::run()
         return;
       start = std::move(waiting_);
       waiting_.reset();
+      if (is_reconfigured_)
+        makeForecaster(config_);
+      is_reconfigured_ = false;
     }
     const double took = forecast(*start);
     const std::lock_guard<PriorityMutex> lock(mutex_);
@@ -139,7 +155,7 @@ double ForecastThread::forecast(const monitor::ForecastStart& start)
   monitor::TetherForecast forecast;
   try
   {
-    forecast = forecaster_.run(start, config_.forecast.horizon, members);
+    forecast = forecaster_->run(start, schedule_.horizon, members);
     forecasting = wallTime() - wall;
     if (count_++ % FORECASTS_A_RECOMMENDATION == 0)
     {
@@ -164,14 +180,15 @@ double ForecastThread::forecast(const monitor::ForecastStart& start)
 
 void ForecastThread::recommend(const monitor::ForecastStart& start, int members)
 {
-  const double horizon = config_.forecast.horizon;
+  const double horizon = schedule_.horizon;
   if (recommends_speed_)
-    speed_ = forecaster_.largestVesselSpeed(
+    speed_ = forecaster_->largestVesselSpeed(
         start, horizon, members,
         FASTER_BY + FASTER * std::hypot(start.vessel.axis(0).mean()[1], start.vessel.axis(1).mean()[1]));
   else
-    payout_rate_ = start.has_winch ? forecaster_.leastPayoutRate(start, horizon, members, LEAST_RATE, LARGEST_RATE)
-                                   : monitor::TetherForecast::NONE;
+    payout_rate_ = start.has_winch
+                       ? forecaster_->leastPayoutRate(start, horizon, members, LEAST_RATE, LARGEST_RATE)
+                       : monitor::TetherForecast::NONE;
   recommends_speed_ = !recommends_speed_;
 }
 
@@ -179,7 +196,12 @@ monitor::TetherForecast ForecastThread::whatIf(const Start& start, double horizo
                                                const monitor::ForecastActions& actions) const
 {
   const double began = replay::cpuClock();
-  monitor::TetherForecaster forecaster(config_);
+  monitor::TetherForecaster forecaster(
+      [this]
+      {
+        const std::lock_guard<PriorityMutex> lock(mutex_);
+        return config_;
+      }());
   monitor::TetherForecast forecast = forecaster.run(*start, horizon, budget().members(), actions);
   forecast.computing_time = replay::cpuClock() - began;
   return forecast;

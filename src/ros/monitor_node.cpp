@@ -41,7 +41,8 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     publishing_(publisher_),
     forecast_(private_nh, runner_.config()),
     cycles_(1.0 / runner_.config().rate, ros::Time::isSimTime(), runner_.config().runtime,
-            [this](double lateness) { cycle(lateness); })
+            [this](double lateness) { cycle(lateness); }),
+    settings_(private_nh, runner_.config(), [this](const monitor::Config& wanted) { return reconfigure(wanted); })
 {
   const monitor::Config& config = runner_.config();
   sources_ = sourcesOf(config, private_nh.getNamespace());
@@ -147,6 +148,14 @@ void MonitorNode::addDiagnostics()
                                              updateSurroundings();
                                              updater_.force_update();
                                            });
+}
+
+std::vector<std::string> MonitorNode::reconfigure(const monitor::Config& config)
+{
+  const std::vector<std::string> problems = runner_.reconfigure(config);
+  if (problems.empty())
+    forecast_.reconfigure(config);
+  return problems;
 }
 
 void MonitorNode::cycle(double lateness)

@@ -49,7 +49,9 @@ class EstimatorRunner
   visualization_msgs::MarkerArray picture(const std_msgs::Header& header);
   /// Nothing that is not a state to keep yet. Allocates.
   std::optional<KeptState> keep();
-  /// Of the configuration, which never changes.
+  /// See TetherEstimator::reconfigure(); a cycle may have to wait for it.
+  std::vector<std::string> reconfigure(const monitor::Config& config);
+  /// Of the estimator; to be read while nobody calls reconfigure().
   const monitor::Config& config() const { return estimator_.config(); }
   TimeOrigin timeOrigin();
   /// How punctual the cycles are, copied.

@@ -30,6 +30,8 @@ class ForecastPublisher
 
   /// After a cycle. @param time  of the estimator's seconds.
   void offer(const monitor::TetherEstimator& estimator, const TimeOrigin& time);
+  /// With other numbers, from the next forecast on.
+  void reconfigure(const monitor::Config& config) { thread_.reconfigure(config); }
   ForecastBudget budget() const { return thread_.budget(); }
   /// Of over-tension, as the last forecast has it; NaN if it is old at time t [s], or there is none.
   double probability(double t) const;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "tether_monitor/monitor/forecast/tether_forecaster.h"
@@ -56,27 +57,32 @@ class ForecastThread
   monitor::TetherForecast whatIf(const Start& start, double horizon,
                                  const monitor::ForecastActions& actions) const;
   ForecastBudget budget() const;
+  /// With other limits and uncertainties, from the next forecast on; horizon and rate stay.
+  void reconfigure(const monitor::Config& config);
 
  private:
   void run();
+  void makeForecaster(const monitor::Config& config);
   // What it takes, with the share of a recommendation [s].
   double forecast(const monitor::ForecastStart& start);
   void recommend(const monitor::ForecastStart& start, int members);
 
-  const monitor::Config config_;
+  const monitor::ForecastConfig schedule_;
   const Ready ready_;
-  monitor::TetherForecaster forecaster_;
   mutable PriorityMutex mutex_;
+  monitor::Config config_;  // guarded by mutex_
+  bool is_reconfigured_ = false;
   std::condition_variable_any wake_;
   Start waiting_;  // guarded by mutex_, as are those below
   bool is_busy_ = false;
   std::atomic<bool> is_over_{false};
   double last_ = -1e300;  // [s] of the last start
   ForecastBudget budget_;
-  long count_ = 0;                // of the thread, as are those below: forecasts
-  double recommending_ = 0.0;     // time that the last recommendation took [s]
-  bool recommends_speed_ = true;  // speed and pay-out take turns
-  double speed_, payout_rate_;    // last recommended [m/s]
+  std::optional<monitor::TetherForecaster> forecaster_;  // of the thread, as are those below
+  long count_ = 0;                                       // forecasts
+  double recommending_ = 0.0;                            // time that the last recommendation took [s]
+  bool recommends_speed_ = true;                         // speed and pay-out take turns
+  double speed_, payout_rate_;                           // last recommended [m/s]
   std::thread thread_;
 };
 

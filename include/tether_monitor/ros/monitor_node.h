@@ -12,6 +12,7 @@
 #include "tether_monitor/ros/cycle_thread.h"
 #include "tether_monitor/ros/estimator_runner.h"
 #include "tether_monitor/ros/forecast_publisher.h"
+#include "tether_monitor/ros/live_settings_server.h"
 #include "tether_monitor/ros/master_watch.h"
 #include "tether_monitor/ros/output_publisher.h"
 #include "tether_monitor/ros/publishing_thread.h"
@@ -23,8 +24,9 @@ namespace tether_monitor
  * The ROS side of the monitor of one tether: subscribes, runs the cycles, publishes.
  *
  * **Subscribes** (relative): inputTopics(). **Publishes**: OutputPublisher, ForecastPublisher, /diagnostics.
- * **Services** (private): reset, acknowledge, alarm_action, alarm_log. Threads: callbacks (the caller's), cycles
- * (CycleThread), publishing (PublishingThread), forecasts (ForecastThread), the state file (StateKeeper).
+ * **Services** (private): reset, acknowledge, alarm_action, alarm_log; LiveSettingsServer. Threads: callbacks (the
+ * caller's), cycles (CycleThread), publishing (PublishingThread), forecasts (ForecastThread), the state file
+ * (StateKeeper).
  */
 class MonitorNode
 {
@@ -43,6 +45,7 @@ class MonitorNode
   void subscribeToTransforms(const std::string& topic, bool is_static);
   void advertiseServices();
   void addDiagnostics();
+  std::vector<std::string> reconfigure(const monitor::Config& config);
   void cycle(double lateness);
   void updateVibration();
   void updateSurroundings();
@@ -68,6 +71,7 @@ class MonitorNode
   PublishingThread publishing_;
   ForecastPublisher forecast_;
   CycleThread cycles_;
+  LiveSettingsServer settings_;
 };
 
 }  // namespace tether_monitor

@@ -355,6 +355,19 @@ void EnsembleFilter::reset()
   ++resets_;
 }
 
+void EnsembleFilter::forgetWhatIsToldAnew(const Config& before, const Config& now)
+{
+  motion_.setForce(unknown_force_);
+  const std::vector<Parameter> told = parametersToldAnew(before, now);
+  if (told.empty())
+    return;
+  random_.fillUncorrelated(sample_);
+  for (const Parameter k : told)
+    parameters_.row(k) = prior_.stddev[k] * sample_.row(k);
+  motion_.inflate(RESET_PLACE, 0.0);
+  first_transform_ = next_transform_;
+}
+
 // Stationary first-order Gauss-Markov processes.
 void EnsembleFilter::walk(double t)
 {

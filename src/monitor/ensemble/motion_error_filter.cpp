@@ -1,6 +1,7 @@
 #include "tether_monitor/monitor/ensemble/motion_error_filter.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace tether_monitor::monitor
@@ -104,6 +105,15 @@ void MotionErrorFilter::inflate(double position_stddev, double force_stddev)
 {
   covariance_.diagonal().segment<3>(POSITION).array() += position_stddev * position_stddev;
   covariance_.diagonal().segment<3>(SLOW).array() += force_stddev * force_stddev;
+}
+
+void MotionErrorFilter::setForce(const UnknownForce& force)
+{
+  const auto added = [](double now, double before) { return std::max(now * now - before * before, 0.0); };
+  covariance_.diagonal().segment<3>(SLOW).array() += added(force.slow_stddev, force_.slow_stddev);
+  covariance_.diagonal().segment<3>(FAST).array() += added(force.fast_stddev, force_.fast_stddev);
+  force_ = force;
+  dt_ = 0.0;
 }
 
 MotionErrorFilter::Jacobian MotionErrorFilter::positionJacobian()

@@ -41,6 +41,21 @@ ParameterPrior parameterPrior(const Config& config)
   return prior;
 }
 
+std::vector<Parameter> parametersToldAnew(const Config& before, const Config& now)
+{
+  const ParameterPrior old = parameterPrior(before), prior = parameterPrior(now);
+  const auto isOtherDrag = [&](int k)
+  {
+    return (k == DRAG_NORMAL && now.tether.drag_normal != before.tether.drag_normal) ||
+           (k == DRAG_TANGENTIAL && now.tether.drag_tangential != before.tether.drag_tangential);
+  };
+  std::vector<Parameter> told;
+  for (int k = 0; k < PARAMETERS; ++k)
+    if (isOtherDrag(k) || prior.stddev[k] != old.stddev[k])
+      told.push_back(static_cast<Parameter>(k));
+  return told;
+}
+
 core::PropertyVariation variationOf(const ParameterVector& p, double shear_depth)
 {
   core::PropertyVariation v;

@@ -119,13 +119,24 @@ std::vector<std::uint8_t> EstimatorSnapshot::save(const TetherEstimator& estimat
 
 bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, TetherEstimator& estimator)
 {
+  return restore(sealed, fingerprint(estimator.config_), estimator);
+}
+
+bool EstimatorSnapshot::carryOver(const TetherEstimator& from, TetherEstimator& to)
+{
+  return restore(save(from), fingerprint(from.config_), to);
+}
+
+bool EstimatorSnapshot::restore(const std::vector<std::uint8_t>& sealed, std::uint64_t configuration,
+                                TetherEstimator& estimator)
+{
   std::vector<std::uint8_t> bytes = sealed;
   if (!core::verifyChecksum(bytes))
     return false;
   Header header;
   core::BinaryReader reader(bytes);
   reader(header);
-  if (!reader.ok() || header.format != FORMAT || header.configuration != fingerprint(estimator.config_))
+  if (!reader.ok() || header.format != FORMAT || header.configuration != configuration)
     return false;
   const std::optional<core::CableModel> model = makeModel(estimator.config_, header.model);
   if (!model)

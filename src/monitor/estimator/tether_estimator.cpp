@@ -4,6 +4,7 @@
 
 #include "tether_monitor/core/base/bounds_check.h"
 #include "tether_monitor/monitor/estimator/estimator_snapshot.h"
+#include "tether_monitor/monitor/estimator/live_settings.h"
 
 namespace tether_monitor::monitor
 {
@@ -19,6 +20,25 @@ const Config& checked(const Config& config)
 TetherEstimator::TetherEstimator(const Config& config)
   : config_(checked(config)), cycle_(config), alarm_inputs_(config), alarms_(config), forecast_inputs_(config)
 {
+}
+
+std::vector<std::string> TetherEstimator::reconfigure(const Config& config)
+{
+  std::vector<std::string> problems = validateWithAlarms(config);
+  if (problems.empty() && !differInLiveSettingsOnly(config_, config))
+    problems.emplace_back(
+        "only drag, uncertainties, thresholds and alarms can be changed while the monitor works");
+  if (problems.empty() && phase() == Phase::STARTING)
+    problems.emplace_back("the tether is settling: try again when it has");
+  if (!problems.empty())
+    return problems;
+  TetherEstimator next(config);
+  if (!EstimatorSnapshot::carryOver(*this, next))
+    return {"the tether cannot go on with these numbers"};
+  next.cycle_.vehicle().forgetWhatIsToldAnew(config_, config);
+  next.setBackgroundStart(cycle_.startsInBackground());
+  *this = std::move(next);
+  return {};
 }
 
 void TetherEstimator::setCurrent(const core::CurrentProfile& current)

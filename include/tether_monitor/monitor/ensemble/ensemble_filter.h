@@ -46,6 +46,10 @@ class EnsembleFilter
              const TetherLinearization& tether, const MemberMotion& motion, double t, double measured_at);
   void setTether(const TetherLinearization& tether) { motion_.setTether(tether); }
 
+  /// What was learnt of parameters that are configured otherwise now is forgotten: their mean is what is
+  /// configured, their spread the prior's. Unknown forces get the variance that they are told more.
+  void forgetWhatIsToldAnew(const Config& before, const Config& now);
+
   /// What is uncertain of the vessel's end of the tether.
   struct VesselNoise
   {

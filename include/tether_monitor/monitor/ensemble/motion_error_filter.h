@@ -78,6 +78,8 @@ class MotionErrorFilter
       a(means, covariance);
     }
   };
+  /// The unknown forces are told to be of another size: what is larger than before adds to their variance.
+  void setForce(const UnknownForce& force);
   void save(Belief& belief) const;
   void restore(const Belief& belief);
 

@@ -54,6 +54,8 @@ class TetherEnsemble
                                           const core::Vector3& thrust) const;
   /// Begins at the state of `simulation`. @param measured_at  time of the last position that it rests on [s].
   void begin(const VehicleInitialization& start, double measured_at, CableSimulation& simulation);
+  /// See EnsembleFilter.
+  void forgetWhatIsToldAnew(const Config& before, const Config& now) { filter_.forgetWhatIsToldAnew(before, now); }
   void moveObstacle(std::size_t k, const core::ObstacleMotion& now) { members_.moveObstacle(k, now); }
   void takeObstacles(const CableSimulation& simulation) { members_.takeObstacles(simulation); }
   /// Accepts memory for a model; the state of an archive must follow.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "tether_monitor/core/cable/property_variation.h"
 #include "tether_monitor/monitor/config/config.h"
 
@@ -36,6 +38,9 @@ struct ParameterPrior
 };
 
 ParameterPrior parameterPrior(const Config& config);
+
+/// Those whose prior differs, and drags that are configured otherwise.
+std::vector<Parameter> parametersToldAnew(const Config& before, const Config& now);
 
 /// What a member differs by. @param shear_depth  to which the shear reaches [m], > 0.
 core::PropertyVariation variationOf(const ParameterVector& parameters, double shear_depth);

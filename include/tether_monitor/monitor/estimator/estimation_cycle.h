@@ -67,6 +67,7 @@ class EstimationCycle
   CableSimulation& simulation() { return simulation_; }
   const InputFindings& findings() const { return findings_; }
   InputFindings& findings() { return findings_; }
+  bool startsInBackground() const { return starts_in_background_; }
   /// How long what an input has done stays in the tether [s].
   double memory() const;
   const core::VortexShedding& vortexShedding() const { return vortex_shedding_.last(); }

@@ -13,6 +13,12 @@ class EstimatorSnapshot
  public:
   static std::vector<std::uint8_t> save(const TetherEstimator& estimator);
   static bool restore(const std::vector<std::uint8_t>& bytes, TetherEstimator& estimator);
+  /// Of an estimator whose configuration differs in live settings.
+  static bool carryOver(const TetherEstimator& from, TetherEstimator& to);
+
+ private:
+  static bool restore(const std::vector<std::uint8_t>& bytes, std::uint64_t configuration,
+                      TetherEstimator& estimator);
 };
 
 }  // namespace tether_monitor::monitor

@@ -53,6 +53,10 @@ class ObservedVehicleEnd final : public VehicleEnd
   {
     ensemble_.reportImprobable(note);
   }
+  void forgetWhatIsToldAnew(const Config& before, const Config& now) override
+  {
+    ensemble_.forgetWhatIsToldAnew(before, now);
+  }
   void prepareForecast(ForecastStart& start) const override;
   const MotionBuffer& track() const override { return track_; }
   const TetherEnsemble* ensemble() const override { return &ensemble_; }

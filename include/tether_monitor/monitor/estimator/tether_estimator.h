@@ -102,6 +102,14 @@ class TetherEstimator
    */
   bool part(double s) { return cycle_.part(s); }
 
+  /**
+   * Goes on with other numbers of liveSettings(). What was learnt of a drag, or of what has another uncertainty
+   * now, is forgotten: it begins with what is told. Allocates, and takes as long as a restore().
+   *
+   * @return every problem of `config`; empty: done, else nothing has changed.
+   */
+  std::vector<std::string> reconfigure(const Config& config);
+
   /// Estimate at time t [s] from the measurements, which it interpolates or extrapolates to t.
   const TetherEstimate& tick(double t);
 

@@ -104,6 +104,8 @@ class VehicleEnd
   virtual const MotionPlausibility* plausibility() const { return nullptr; }
   /// What only something far beyond its told size explains, as it is now: the argument is called for each.
   virtual void reportImprobable(const std::function<void(Subject, Implausibility)>& /*note*/) const {}
+  /// The configuration is another than when it began: what was learnt of what has changed is forgotten.
+  virtual void forgetWhatIsToldAnew(const Config& /*before*/, const Config& /*now*/) {}
   /// Fills in what a forecast begins with: members (none: that of the simulation), thrust, unknown force.
   virtual void prepareForecast(ForecastStart& /*start*/) const {}
   /// True once after the vehicle was found elsewhere, and the tether is held there.
