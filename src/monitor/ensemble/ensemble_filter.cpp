@@ -29,11 +29,6 @@ constexpr double DYNAMIC_MODEL_ERROR = 0.5;      // of what a tension varies by,
 constexpr double START_MODEL_ERROR = 0.3;        // of a tension at the start, relative
 constexpr double START_MEMORY = 15.0;            // [s]
 constexpr double RESET_PLACE = 0.5;              // [m] by which a place is doubted after a reset
-
-core::Matrix3 isotropic(double stddev)
-{
-  return stddev * stddev * core::Matrix3::Identity();
-}
 }  // namespace
 
 std::size_t EnsembleFilter::ticksFor(const Config& config)
@@ -220,7 +215,8 @@ bool EnsembleFilter::look(const VehicleMeasurement& fix, std::size_t tick, const
         sight_.predicted.col(i) = blend(a.motion.direction.col(i), b.motion.direction.col(i)) +
                                   parameters_(DIRECTION_AZIMUTH, i) * across +
                                   parameters_(DIRECTION_ELEVATION, i) * up;
-      sight_.noise = isotropic(direction_stddev_) * direction_rate_.repeatsIn(DIRECTION_MEMORY);
+      sight_.noise =
+          core::Matrix3::Identity() * std::pow(direction_stddev_, 2) * direction_rate_.repeatsIn(DIRECTION_MEMORY);
       break;
     }
   }
@@ -311,8 +307,7 @@ void EnsembleFilter::believe(const VehicleMeasurement& reading)
   believed_.nominal = sight_.nominal_tension;
 }
 
-// (E9): what the members would have predicted of a measurement at time t [s], had they known what was learnt
-// since. The last transform is the measurement's own.
+// (E9): what is predicted, had the members known what was learnt since t; the last transform is its own.
 void EnsembleFilter::hindcast(double t)
 {
   const auto slot = [&](long n) -> const Transform&
