@@ -190,12 +190,6 @@ visualization_msgs::MarkerArray EstimatorRunner::picture(const std_msgs::Header&
   return markers(header, estimator_, adapter_.fixes());
 }
 
-std::vector<std::string> EstimatorRunner::reconfigure(const monitor::Config& config)
-{
-  const std::lock_guard<PriorityMutex> lock(mutex_);
-  return estimator_.reconfigure(config);
-}
-
 std::optional<KeptState> EstimatorRunner::keep()
 {
   const std::lock_guard<PriorityMutex> lock(mutex_);

@@ -8,11 +8,20 @@ namespace
 {
 using monitor::LiveSetting;
 
-// By what number of a setting. Group 0 is the one that holds the others.
-template <typename NumberOf>
-dynamic_reconfigure::Config toMessage(const std::vector<LiveSetting>& settings,
-                                      const std::vector<std::string>& groups, const NumberOf& numberOf)
+// The first holds the others.
+std::vector<std::string> groupsOf(const std::vector<LiveSetting>& settings)
 {
+  std::vector<std::string> groups{"Default"};
+  for (const LiveSetting& setting : settings)
+    if (setting.group != groups.back())
+      groups.push_back(setting.group);
+  return groups;
+}
+
+template <typename NumberOf>
+dynamic_reconfigure::Config toMessage(const std::vector<LiveSetting>& settings, const NumberOf& numberOf)
+{
+  const std::vector<std::string> groups = groupsOf(settings);
   dynamic_reconfigure::Config message;
   for (const LiveSetting& setting : settings)
   {
@@ -30,15 +39,6 @@ dynamic_reconfigure::Config toMessage(const std::vector<LiveSetting>& settings,
     message.groups.push_back(state);
   }
   return message;
-}
-
-std::vector<std::string> groupsOf(const std::vector<LiveSetting>& settings)
-{
-  std::vector<std::string> groups{"Default"};
-  for (const LiveSetting& setting : settings)
-    if (setting.group != groups.back())
-      groups.push_back(setting.group);
-  return groups;
 }
 
 double valueOf(const LiveSetting& setting)
@@ -67,9 +67,9 @@ dynamic_reconfigure::ConfigDescription describe(const std::vector<LiveSetting>& 
       }
     message.groups.push_back(group);
   }
-  message.min = toMessage(settings, groups, [](const LiveSetting& setting) { return setting.least; });
-  message.max = toMessage(settings, groups, [](const LiveSetting& setting) { return setting.most; });
-  message.dflt = toMessage(settings, groups, valueOf);
+  message.min = toMessage(settings, [](const LiveSetting& setting) { return setting.least; });
+  message.max = toMessage(settings, [](const LiveSetting& setting) { return setting.most; });
+  message.dflt = toMessage(settings, valueOf);
   return message;
 }
 
@@ -115,7 +115,7 @@ LiveSettingsServer::LiveSettingsServer(const ros::NodeHandle& private_nh, const 
   description_ = nh_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, true);
   description_.publish(describe(settings));
   updates_ = nh_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, true);
-  updates_.publish(toMessage(settings, groupsOf(settings), valueOf));
+  updates_.publish(toMessage(settings, valueOf));
   service_ = nh_.advertiseService("set_parameters", &LiveSettingsServer::answer, this);
 }
 
@@ -133,7 +133,7 @@ bool LiveSettingsServer::answer(dynamic_reconfigure::Reconfigure::Request& reque
   for (const std::string& problem : problems)
     ROS_ERROR("set_parameters: refused: %s", problem.c_str());
   settings = liveSettings(config_);
-  response.config = toMessage(settings, groupsOf(settings), valueOf);
+  response.config = toMessage(settings, valueOf);
   updates_.publish(response.config);
   return true;
 }

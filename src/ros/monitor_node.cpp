@@ -152,7 +152,8 @@ void MonitorNode::addDiagnostics()
 
 std::vector<std::string> MonitorNode::reconfigure(const monitor::Config& config)
 {
-  const std::vector<std::string> problems = runner_.reconfigure(config);
+  const std::vector<std::string> problems = runner_.access(
+      [&](monitor::TetherEstimator& estimator, const DiagnosticInputs&) { return estimator.reconfigure(config); });
   if (problems.empty())
     forecast_.reconfigure(config);
   return problems;

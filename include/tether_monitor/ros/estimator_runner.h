@@ -49,8 +49,6 @@ class EstimatorRunner
   visualization_msgs::MarkerArray picture(const std_msgs::Header& header);
   /// Nothing that is not a state to keep yet. Allocates.
   std::optional<KeptState> keep();
-  /// See TetherEstimator::reconfigure(); a cycle may have to wait for it.
-  std::vector<std::string> reconfigure(const monitor::Config& config);
   /// Of the estimator; to be read while nobody calls reconfigure().
   const monitor::Config& config() const { return estimator_.config(); }
   TimeOrigin timeOrigin();

@@ -8,6 +8,8 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+constexpr double DEFAULT_ACCELERATION = 0.16;  // of unknown forces, over the mass [m/s^2]
+
 void add(const std::vector<std::string>& more, std::vector<std::string>& all)
 {
   all.insert(all.end(), more.begin(), more.end());
@@ -92,6 +94,11 @@ void validateClamp(const Config& c, const std::string& name, const BodyConfig& b
   add(check.problems(), all);
 }
 }  // namespace
+
+double unknownForceStddev(const Config& c)
+{
+  return c.navigation.force_stddev.value_or(DEFAULT_ACCELERATION * c.vehicle_body.mass);
+}
 
 std::vector<std::string> validate(const Config& c)
 {

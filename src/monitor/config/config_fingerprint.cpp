@@ -58,8 +58,7 @@ void add(const core::RigidBody& body, BinaryWriter& to)
 
 void add(const NavigationConfig& n, BinaryWriter& to)
 {
-  to(n.position_stddev, n.velocity_stddev, n.latency, n.force_stddev, n.drag_stddev, n.degraded_stddev,
-     n.invalid_stddev);
+  to(n.position_stddev, n.velocity_stddev, n.latency, n.drag_stddev, n.degraded_stddev, n.invalid_stddev);
 }
 
 void add(const UncertaintyConfig& u, BinaryWriter& to)
@@ -82,8 +81,8 @@ std::uint64_t fingerprint(const Config& config)
   {
     add(c.navigation, to);
     add(c.uncertainty, to);
-    to(c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev, c.vehicle.least_stddev,
-       c.invalid_timeout);
+    to(unknownForceStddev(c), c.vessel.position_stddev, c.vessel.velocity_stddev, c.vessel.least_stddev,
+       c.vehicle.least_stddev, c.invalid_timeout);
   }
   else
   {

@@ -323,14 +323,14 @@ void EnsembleFilter::hindcast(double t)
 }
 
 // Positions that follow each other closely tell the same of the parameters: only as much as one in ten seconds.
-void EnsembleFilter::learn(const VehicleMeasurement& fix, double tick, EnsembleTransform& transform)
+void EnsembleFilter::learn(const VehicleMeasurement& fix, double moved_at, EnsembleTransform& transform)
 {
   const bool is_of_vehicle =
       fix.kind == VehicleMeasurement::Kind::POSITION || fix.kind == VehicleMeasurement::Kind::VELOCITY;
   const double repeats = is_of_vehicle ? position_rate_.repeatsIn(POSITION_MEMORY) : 1.0;
   sight_.hindcast = sight_.predicted;
   if (is_of_vehicle)
-    hindcast(tick);
+    hindcast(moved_at);
   const core::Vector3 innovation =
       (sight_.predicted + sight_.innovations).rowwise().mean() - sight_.hindcast.rowwise().mean();
   transform.set(

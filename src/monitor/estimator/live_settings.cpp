@@ -2,7 +2,6 @@
 
 #include "tether_monitor/monitor/alarms/alarm_quantities.h"
 #include "tether_monitor/monitor/config/config_fingerprint.h"
-#include "tether_monitor/monitor/ensemble/unknown_force.h"
 
 namespace tether_monitor::monitor
 {
@@ -13,12 +12,12 @@ constexpr double ANY = 1e9, LONGEST_DELAY = 3600.0;  // [unit of the quantity], 
 void addUncertainties(Config& c, std::vector<LiveSetting>& all)
 {
   UncertaintyConfig& u = c.uncertainty;
-  c.navigation.force_stddev = unknownForceOf(c).slow_stddev;
+  c.navigation.force_stddev = unknownForceStddev(c);
   const auto add = [&](const char* key, const char* meaning, double least, double most, double& value) {
     all.push_back({"uncertainty", key, meaning, least, most, &value});
   };
-  add("tether.uncertainty.drag_normal", "standard deviation, relative", 0.0, 3.0, u.drag_normal);
-  add("tether.uncertainty.drag_tangential", "standard deviation, relative", 0.0, 3.0, u.drag_tangential);
+  add("tether.uncertainty.drag_normal", "standard deviation, relative", 0.0, 1.0, u.drag_normal);
+  add("tether.uncertainty.drag_tangential", "standard deviation, relative", 0.0, 1.0, u.drag_tangential);
   add("tether.uncertainty.mass_per_length", "standard deviation, relative", 0.0, 0.3, u.mass_per_length);
   add("tether.uncertainty.length", "standard deviation, relative", 0.0, 0.2, u.length);
   add("tether.uncertainty.axial_stiffness", "standard deviation, relative", 0.0, 1.0, u.axial_stiffness);

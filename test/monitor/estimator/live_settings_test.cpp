@@ -7,6 +7,7 @@
 
 #include "support/navigation_fixture.h"
 #include "tether_monitor/monitor/alarms/alarm_quantities.h"
+#include "tether_monitor/monitor/config/config_fingerprint.h"
 
 namespace tether_monitor::monitor
 {
@@ -46,6 +47,20 @@ TEST(LiveSettings, AreNumbersOfTheConfigurationWithinTheirBounds)
   EXPECT_EQ(find(config, "tether.drag_normal"), &config.tether.drag_normal);
   EXPECT_EQ(find(config, "monitor.alarms.slack.limit"), nullptr) << "it has none to change";
   EXPECT_TRUE(validate(config).empty());
+}
+
+// A node that is started again has the parameter server's numbers, and goes on from the state that was kept.
+TEST(LiveSettings, LookingAtThemMakesNoOtherConfiguration)
+{
+  Config config = observedConfig();
+  for (const AlarmQuantity& quantity : alarmQuantities())
+    alarmConfig(config, quantity.name);  // as the loader does
+  config.navigation.force_stddev.reset();
+  const std::uint64_t by_default = fingerprint(config);
+  liveSettings(config);
+  EXPECT_EQ(fingerprint(config), by_default);
+  *find(config, "vehicle.force_stddev") *= 1.5;
+  EXPECT_NE(fingerprint(config), by_default);
 }
 
 TEST(LiveSettings, NothingElseCanBeChanged)

@@ -48,6 +48,9 @@ struct Config
   InputsConfig inputs;
 };
 
+/// Standard deviation of the unknown forces on the vehicle [N]: what is told, else 0.16 m/s^2 times its mass.
+double unknownForceStddev(const Config& config);
+
 /// Every bound that `config` violates, one sentence each, named as in the parameter tree; those of the alarms are
 /// found by validateAlarms().
 std::vector<std::string> validate(const Config& config);

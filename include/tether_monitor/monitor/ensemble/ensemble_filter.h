@@ -138,7 +138,7 @@ class EnsembleFilter
   bool isAccepted(const VehicleMeasurement& fix, const core::Vector3& innovation);
   void believe(const VehicleMeasurement& reading);
   void hindcast(double t);
-  void learn(const VehicleMeasurement& fix, double tick, EnsembleTransform& transform);
+  void learn(const VehicleMeasurement& fix, double moved_at, EnsembleTransform& transform);
   ReadingRate& rateOf(VehicleMeasurement::Kind kind);
   double startError(double t) const;
   void reset();

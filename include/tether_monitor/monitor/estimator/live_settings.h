@@ -18,7 +18,7 @@ struct LiveSetting
 };
 
 /// All of them: drag, what is uncertain (mode observed), thresholds of the status, and of every alarm the limits
-/// that are set and its delays. @param config  must outlive them; alarms get an entry each.
+/// that are set and its delays. @param config  must outlive them; what it leaves to a default is filled in.
 std::vector<LiveSetting> liveSettings(Config& config);
 
 /// Whether two configurations differ in such numbers only, as far as a saved state depends on them.
