@@ -144,7 +144,7 @@ void replayMeasurements(const RecordedMeasurements& measurements, const Motion& 
           add(rows[next], estimator);
         if (motion.hasPayout())
           estimator.addPayout(t, motion.payout(t).length, motion.payout(t).rate);
-        if (has_begun || !estimator.vehicle().ensemble()->hasPosition())
+        if (has_begun || !estimator.canBegin(t))
         {
           estimator.tick(t);
           return;

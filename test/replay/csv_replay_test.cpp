@@ -175,4 +175,35 @@ TEST(ReplayRun, AnObservedVehicleStartsWhenItsVesselIsKnown)
   EXPECT_NEAR(estimator.estimate().vehicle.position.z(), -98.9, 0.5);
 }
 
+// A velocity in the first row is one noisy sample, and no tow is begun on it.
+TEST(ReplayRun, ATowBeginsWhenItsSpeedIsKnown)
+{
+  std::string rows = "t,vessel_x,vessel_y,vessel_z,vessel_vx,vessel_vy,vessel_vz,vehicle_x,vehicle_y,vehicle_z\n";
+  for (int i = 0; i <= 300; ++i)
+  {
+    const double x = 0.15 * i;
+    rows += std::to_string(0.1 * i) + "," + std::to_string(x) + ",0,0,1.5,0,0";
+    rows += i % 10 == 0 ? "," + std::to_string(x - 40.0 - 0.05 * (i % 3)) + ",0,-91\n" : ",,,\n";
+  }
+  const files::CsvTable table = observedTable(rows);
+  monitor::TetherEstimator estimator(observedConfig());
+  ResultRecorder recorder(::testing::TempDir() + "tether_monitor_replay_tow", 0.0, VehicleColumns::OBSERVED);
+  ReplayOptions options;
+  double started = NAN, largest = 0.0;
+  options.is_interrupted = [&]
+  {
+    const monitor::TetherEstimate& e = estimator.estimate();
+    if (estimator.isRunning() && std::isnan(started))
+      started = e.time;
+    if (estimator.isRunning())
+      largest = std::max(largest, estimator.vehicle().ensemble()->members().motion().vessel_tension.maxCoeff());
+    return false;
+  };
+  replayMeasurements(RecordedMeasurements(table), Motion(table, monitor::VehicleMode::OBSERVED), options,
+                     estimator, recorder);
+  EXPECT_GT(started, 5.0);
+  EXPECT_LT(started, 15.0);
+  EXPECT_LT(largest, estimator.config().tether.breaking_load) << "no member was begun at another speed";
+}
+
 }  // namespace tether_monitor::replay
