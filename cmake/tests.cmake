@@ -94,6 +94,7 @@ set(test_files
   test/monitor/forecast/tether_forecaster_test.cpp
   test/monitor/forecast/thrust_reaction_test.cpp
   test/monitor/forecast/vessel_plan_test.cpp
+  test/monitor/forecast/winch_reaction_test.cpp
   test/monitor/identification/identification_test.cpp
   test/monitor/measurements/turn_counter_test.cpp
   test/monitor/measurements/body_state_test.cpp
@@ -122,6 +123,7 @@ set(test_files
   test/monitor/vessel/position_window_test.cpp
   test/monitor/vessel/track_wave_regression_test.cpp
   test/monitor/vessel/vessel_motion_filter_test.cpp
+  test/params/attachment_frames_test.cpp
   test/params/load_config_test.cpp
   test/params/load_tether_test.cpp
   test/params/load_waves_test.cpp

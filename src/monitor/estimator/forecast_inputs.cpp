@@ -18,7 +18,11 @@ core::EndMotion endOf(const CableSimulation& simulation, std::size_t node)
 void ForecastInputs::observe(const TetherEstimate& estimate, const CableSimulation& simulation,
                              const VehicleEnd& vehicle)
 {
-  vessel_.observe(simulation.state.time, endOf(simulation, 0));
+  const core::EndMotion end = endOf(simulation, 0);
+  vessel_.observe(simulation.state.time, end);
+  if (std::isfinite(estimate.payout_rate))
+    winch_.observe(simulation.state.time, estimate.payout_rate,
+                   WinchReaction::away(simulation.state, end.velocity));
   if (!vehicle.takesThrust())
     vehicle_.observe(simulation.state.time, endOf(simulation, simulation.state.q.size() - 1));
   else if (const auto thrust = vehicle.reportedThrust(estimate.time); thrust && estimate.has_vehicle)
@@ -30,6 +34,7 @@ void ForecastInputs::clear()
   vessel_.clear();
   vehicle_.clear();
   reaction_.clear();
+  winch_.clear();
 }
 
 void ForecastInputs::clearPlans()
@@ -47,6 +52,7 @@ ForecastStart ForecastInputs::start(const CableSimulation& simulation, const Veh
   start.options = simulation.stepper.options();
   start.has_winch = std::isfinite(payout_rate);
   start.payout_rate = start.has_winch ? payout_rate : 0.0;
+  start.winch = winch_;
   start.vessel = vessel_;
   start.plan = plan_;
   start.payout_plan = payout_plan_;

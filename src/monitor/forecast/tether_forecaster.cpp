@@ -7,6 +7,7 @@
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
 #include "tether_monitor/monitor/forecast/random_vectors.h"
 #include "tether_monitor/monitor/forecast/thrust_course.h"
+#include "tether_monitor/monitor/forecast/winch_course.h"
 
 namespace tether_monitor::monitor
 {
@@ -15,7 +16,6 @@ namespace
 constexpr double STEP = 0.2;       // [s] of the vessel's courses, and at most of the tether
 constexpr double INTERVAL = 0.5;   // [s] between the times of a forecast
 constexpr double BEGINNING = 2.0;  // [s] until a member has left the errors of the moment's motion behind
-constexpr double WINCH_ACCELERATION = 0.25;  // with which a winch gets to a commanded rate [m/s^2]
 constexpr double LARGEST_LOST_SHARE = 0.25;  // of the members
 constexpr double TOLERATED = 0.05;           // probability of over-tension
 constexpr double SLOWEST_WAY = 0.1;          // speed below which a vessel has no way to go on [m/s]
@@ -60,25 +60,24 @@ class UnknownForceCourse
   double stddev_, decay_;
 };
 
-// The winch: from its present rate to another; at the end of the tether it stops.
+// The winch gets to a rate; at the end of the tether it stops.
 core::PayoutTrajectory payOut(const core::CableModel& model, const core::CableState& state, double rate, double t)
 {
   core::PayoutState from{model.length(state.deployment), 0.0, 0.0};
   if (state.deployment.payout)
     from.rate = state.deployment.payout->rate;
-  const double dt = t - state.time;
-  core::PayoutState to = from;
-  to.rate += std::clamp(rate - from.rate, -WINCH_ACCELERATION * dt, WINCH_ACCELERATION * dt);
-  to.length += 0.5 * dt * (from.rate + to.rate);
+  core::PayoutState to{from.length + 0.5 * (t - state.time) * (from.rate + rate), rate, 0.0};
   if (!model.canRepresentLength(to.length))
     to = {from.length, 0.0, 0.0};
   return core::PayoutTrajectory::between(state.time, from, t, to);
 }
-double payoutRate(const ForecastStart& start, const ForecastActions& actions, double t, double deployed)
+
+double wantedRate(const ForecastStart& start, const ForecastActions& actions, double t, double deployed,
+                  double usual)
 {
   if (actions.payout_rate)
     return *actions.payout_rate;
-  return start.payout_plan ? start.payout_plan->rateAt(t, deployed, start.payout_rate) : start.payout_rate;
+  return start.payout_plan ? start.payout_plan->rateAt(t, deployed, usual) : usual;
 }
 
 bool followsPlan(const ForecastStart& start, double horizon, const ForecastActions& actions)
@@ -120,6 +119,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
   const int steps = static_cast<int>(std::lround(extent.horizon / STEP));
   const int first = static_cast<int>(std::lround(std::min(BEGINNING, 0.5 * extent.horizon) / STEP));
   core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
+  WinchCourse winch(start.winch, start.payout_rate, WinchReaction::away(state, at.velocity));
   core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
   for (int k = 1; k <= steps; ++k)
   {
@@ -143,7 +143,8 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
       ends.vehicle_force += reaction->advance(STEP, pull);
     if (start.attitude)
       ends.vehicle_thrust.torque += torqueTowards(body_, *start.attitude, state.vehicle);
-    const double rate = payoutRate(start, actions, state.time, model.length(state.deployment));
+    const double slow = wantedRate(start, actions, state.time, model.length(state.deployment), winch.usualRate());
+    const double rate = winch.advance(STEP, slow, WinchReaction::away(state, at.velocity));
     if (rate != 0.0 || (state.deployment.payout && state.deployment.payout->rate != 0.0))
       ends.payout = payOut(model, state, rate, t);
     if (isStopped() || !stepper.advance(model, ends, t, state).converged() || !state.allFinite())

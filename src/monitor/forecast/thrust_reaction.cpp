@@ -22,29 +22,19 @@ void ThrustReaction::observe(double t, const core::Vector3& thrust, const core::
   time_ = t;
   force_ = tether_force;
   largest_ = std::max(largest_, thrust.norm());
-  if (observed_for_ == 0.0)
-  {
-    slow_force_ = force_mean_ = tether_force;
-    thrust_mean_ = thrust;
-    observed_for_ = 1e-3;
-    return;
-  }
-  observed_for_ += dt;
-  slow_force_ = smoothed(slow_force_, tether_force, dt);
-  const double share = 1.0 - std::exp(-dt / std::min(MEMORY, observed_for_));
-  const core::Vector3 f = slow_force_ - force_mean_, u = thrust - thrust_mean_;
-  force_mean_ += share * f;
-  thrust_mean_ += share * u;
-  force_square_ += share * ((1.0 - share) * f.cwiseAbs2() - force_square_);
-  thrust_square_ += share * ((1.0 - share) * u.cwiseAbs2() - thrust_square_);
-  product_ += share * ((1.0 - share) * f.cwiseProduct(u) - product_);
+  const bool is_first = observed_for_ == 0.0;
+  observed_for_ += is_first ? 1e-3 : dt;
+  slow_force_ = is_first ? tether_force : smoothed(slow_force_, tether_force, dt);
+  const double share = is_first ? 1.0 : 1.0 - std::exp(-dt / std::min(MEMORY, observed_for_));
+  for (int k = 0; k < 3; ++k)
+    axes_[k].observe(share, slow_force_[k], thrust[k]);
 }
 
 bool ThrustReaction::isValid() const
 {
+  const auto is_valid = [](const FadingRegression& axis) { return axis.isValid(); };
   return std::isfinite(time_) && observed_for_ >= 0.0 && largest_ >= 0.0 && force_.allFinite() &&
-         slow_force_.allFinite() && thrust_mean_.allFinite() && force_mean_.allFinite() &&
-         force_square_.allFinite() && thrust_square_.allFinite() && product_.allFinite();
+         slow_force_.allFinite() && std::all_of(axes_.begin(), axes_.end(), is_valid);
 }
 
 // Least squares with the prior: what the regression leaves unexplained is its noise.
@@ -54,10 +44,9 @@ ThrustReaction::Share ThrustReaction::share() const
   const double independent = std::max(std::min(observed_for_, 2.0 * MEMORY) / INDEPENDENT, 1.0);
   for (int k = 0; k < 3; ++k)
   {
-    const double signal = std::max(force_square_[k] - FORCE_NOISE * FORCE_NOISE, 0.0);
-    const double slope = std::clamp(signal > 0.0 ? -product_[k] / signal : 0.0, 0.0, 1.0);
-    const double left =
-        std::max(thrust_square_[k] + 2.0 * slope * product_[k] + slope * slope * force_square_[k], 0.0);
+    const double signal = std::max(axes_[k].varianceX() - FORCE_NOISE * FORCE_NOISE, 0.0);
+    const double slope = std::clamp(signal > 0.0 ? -axes_[k].covariance() / signal : 0.0, 0.0, 1.0);
+    const double left = axes_[k].left(-slope);
     const double noise = (left + FORCE_NOISE * FORCE_NOISE) / independent;
     const double variance = 1.0 / (1.0 / PRIOR_VARIANCE + signal / noise);
     const double unknown = variance / PRIOR_VARIANCE;

@@ -136,6 +136,48 @@ TEST(TetherForecaster, AnAutopilotDoesNotGiveWay)
   EXPECT_GT(largest(f.max_tension), 1.4 * largest(held.max_tension));
 }
 
+// A heavy vehicle hangs from a vessel that heaves by a metre, and the winch takes that off: what it does at the
+// moment of a forecast says nothing of the next half minute.
+TEST(TetherForecaster, AWinchGoesOnFollowingTheWaves)
+{
+  Config config = coarseConfig();
+  config.vehicle_mode = VehicleMode::FREE;
+  config.vehicle_body = smallVehicle();
+  config.vehicle_body.added_mass = {100.0, 400.0, 400.0};
+  TetherEstimator estimator(config);
+  double t = 100.0, largest = 0.0;
+  const auto run = [&](double duration)
+  {
+    for (const double end = t + duration; t < end - 1e-9;)
+    {
+      t += 0.05;
+      const double growth = std::min((t - 100.0) / 10.0, 1.0), angle = 2.0 * M_PI * t / 6.0;
+      const double heave = growth * std::sin(angle);
+      estimator.addVessel(
+          PoseMeasurement{t, core::Vector3(0.0, 0.0, 1.0 + heave), Eigen::Quaterniond::Identity()});
+      estimator.addPayout(t, 80.0 + heave, growth * 2.0 * M_PI / 6.0 * std::cos(angle));
+      largest = std::max(largest, estimator.tick(t).max_tension);
+    }
+  };
+  run(60.0);
+  TetherForecaster forecaster(config);
+  const auto largestOf = [](const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); };
+  std::vector<double> now, without;
+  for (int k = 0; k < 4; ++k)
+  {
+    ForecastStart start = *estimator.forecastStart();
+    now.push_back(largestOf(forecaster.run(start, HORIZON, 32).max_tension_p95));
+    start.winch.clear();
+    without.push_back(largestOf(forecaster.run(start, HORIZON, 32).max_tension_p95));
+    run(1.5);
+  }
+  largest = 0.0;
+  run(HORIZON);
+  EXPECT_LT(largestOf(now), 2.0 * largest) << "members begin with the errors of the moment";
+  EXPECT_GT(*std::min_element(now.begin(), now.end()), 0.9 * largest);
+  EXPECT_GT(largestOf(without), 5.0 * largest) << "what a forecast would say that holds the rate of the moment";
+}
+
 // What is paid out prevents it, and the least rate is between nothing and that.
 TEST(TetherForecaster, PayingOutHelps)
 {

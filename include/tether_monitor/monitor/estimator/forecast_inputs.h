@@ -23,7 +23,7 @@ class ForecastInputs
   bool isReady() const { return vessel_.isReady(); }
   bool isValid() const
   {
-    return vessel_.isValid() && vehicle_.isValid() && reaction_.isValid() && plan_.isValid();
+    return vessel_.isValid() && vehicle_.isValid() && reaction_.isValid() && winch_.isValid() && plan_.isValid();
   }
   /// See VesselPlan::set(). A plan stays until the next one.
   std::string setPlan(const std::vector<VesselPlan::Point>& points) { return plan_.set(points); }
@@ -33,13 +33,14 @@ class ForecastInputs
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(vessel_, vehicle_, reaction_, plan_, payout_plan_);
+    a(vessel_, vehicle_, reaction_, winch_, plan_, payout_plan_);
   }
 
  private:
   std::optional<double> max_thrust_;  // [N]
   EndMotionPredictor vessel_{true}, vehicle_{false};
   ThrustReaction reaction_;
+  WinchReaction winch_;
   VesselPlan plan_;
   std::optional<PayoutPlan> payout_plan_;
 };

@@ -9,6 +9,7 @@
 #include "tether_monitor/monitor/forecast/end_motion_predictor.h"
 #include "tether_monitor/monitor/forecast/thrust_reaction.h"
 #include "tether_monitor/monitor/forecast/vessel_plan.h"
+#include "tether_monitor/monitor/forecast/winch_reaction.h"
 
 namespace tether_monitor::monitor
 {
@@ -35,7 +36,8 @@ struct ForecastStart
   EndMotionPredictor vessel;
   std::optional<EndMotionPredictor> vehicle;  ///< of a vehicle whose end is moved.
   bool has_winch = false;                     ///< something reports the deployed length.
-  double payout_rate = 0.0;                   ///< [m/s]
+  double payout_rate = 0.0;                   ///< of the moment [m/s]
+  WinchReaction winch;                        ///< how it has worked.
   VesselPlan plan;                            ///< where the vessel is meant to go.
   std::optional<PayoutPlan> payout_plan;      ///< what the winch is meant to do.
 };

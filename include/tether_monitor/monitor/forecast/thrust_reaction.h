@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+
 #include "tether_monitor/core/base/types.h"
+#include "tether_monitor/monitor/forecast/fading_regression.h"
 
 namespace tether_monitor::monitor
 {
@@ -42,17 +45,14 @@ class ThrustReaction
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(time_, observed_for_, force_, slow_force_, thrust_mean_, force_mean_, force_square_, thrust_square_,
-      product_, largest_);
+    a(time_, observed_for_, force_, slow_force_, axes_, largest_);
   }
 
  private:
-  double time_ = 0.0, observed_for_ = 0.0;                                                      // [s]
-  core::Vector3 force_ = core::Vector3::Zero(), slow_force_ = core::Vector3::Zero();            // [N]
-  core::Vector3 thrust_mean_ = core::Vector3::Zero(), force_mean_ = core::Vector3::Zero();      // [N]
-  core::Vector3 force_square_ = core::Vector3::Zero(), thrust_square_ = core::Vector3::Zero();  // about the means
-  core::Vector3 product_ = core::Vector3::Zero();                                               // [N^2]
-  double largest_ = 0.0;                                                                        // [N]
+  double time_ = 0.0, observed_for_ = 0.0;                                            // [s]
+  core::Vector3 force_ = core::Vector3::Zero(), slow_force_ = core::Vector3::Zero();  // [N]
+  std::array<FadingRegression, 3> axes_;                                              // of thrust on force
+  double largest_ = 0.0;                                                              // [N]
 };
 
 }  // namespace tether_monitor::monitor
