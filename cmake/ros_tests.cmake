@@ -28,7 +28,7 @@ add_test(NAME report COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/report.
 add_test(NAME tutorials COMMAND ${CATKIN_ENV} /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/tutorials.py)
 add_rostest(test/ros/nodelet.test DEPENDENCIES nominal_bag_test tether_monitor_nodelet)
 
-foreach(script bad_parameters closed_loops live_settings operator_page sim_scenarios stacks tools)
+foreach(script attachment_frames bad_parameters closed_loops live_settings operator_page sim_scenarios stacks tools)
   add_rostest(test/ros/${script}.test DEPENDENCIES tether_monitor_node tether_sim_node tether_identify tether_replay tether_steady)
 endforeach()
 # Two nodes ten times as fast as in life want the machine for themselves.

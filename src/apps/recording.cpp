@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "tether_monitor/files/csv_table.h"
+#include "tether_monitor/params/load_config.h"
+#include "tether_monitor/ros/attachment_frames.h"
 #include "tether_monitor/ros/bag_replay.h"
 
 namespace tether_monitor::apps
@@ -94,6 +96,14 @@ void checkRecording(const CommandLine& line, const Recording& recording)
   line.exclude("ns", "motion");
   if (recording.bag.empty() && recording.motion.empty())
     throw CommandLineError("--bag or --motion is required");
+}
+
+monitor::Config loadConfigFor(const Recording& recording, const std::string& path)
+{
+  if (recording.bag.empty())
+    return params::loadConfigFile(path);
+  return params::loadConfigFile(
+      path, [&](const params::Value& tree) { return withPlacedAttachments(tree, path, recording.bag); });
 }
 
 replay::ReplayOptions replayOptions(bool quiet)

@@ -28,6 +28,10 @@ void addOptions(CommandLine& line, Recording& recording, Results& results, bool&
 /// @throws CommandLineError unless they tell one recording.
 void checkRecording(const CommandLine& line, const Recording& recording);
 
+/// The configuration in a YAML file; attachments that name a frame are placed by the transforms of a bag.
+/// @throws as params::loadConfigFile().
+monitor::Config loadConfigFor(const Recording& recording, const std::string& path);
+
 /// For replays from the keyboard: an interrupt, or a request to end, ends them; progress as a bar on stderr,
 /// unless quiet or nobody looks at it.
 replay::ReplayOptions replayOptions(bool quiet);

@@ -47,7 +47,7 @@ void write(const std::string& path, const std::string& text)
 
 int identify(const Arguments& arguments)
 {
-  const monitor::Config config = params::loadConfigFile(arguments.config);
+  const monitor::Config config = apps::loadConfigFor(arguments.recording, arguments.config);
   if (config.vehicle_mode != monitor::VehicleMode::OBSERVED)
     throw std::runtime_error(arguments.config + ": vehicle.mode must be observed to identify a tether");
   const replay::ReplayOptions options = apps::replayOptions(arguments.quiet);

@@ -21,7 +21,7 @@ struct Arguments
 void replay(const Arguments& arguments)
 {
   using namespace tether_monitor;
-  monitor::Config config = params::loadConfigFile(arguments.config);
+  monitor::Config config = apps::loadConfigFor(arguments.recording, arguments.config);
   if (arguments.parting)
     config = replay::preparedToPart(std::move(config), *arguments.parting);
   for (const std::string& value : monitor::suspiciousValues(config))

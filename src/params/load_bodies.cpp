@@ -10,7 +10,10 @@ namespace
 monitor::BodyConfig loadBody(ParameterReader& in)
 {
   monitor::BodyConfig body;
-  body.attachment = in.vector("attachment", body.attachment);
+  if (in.isText("attachment"))
+    in.addError("attachment", " names a frame: that is known to the node, and to a bag with transforms");
+  else
+    body.attachment = in.vector("attachment", body.attachment);
   body.frame = in.text("frame", body.frame);
   if (in.has("clamped"))
     body.clamped = in.vector("clamped");

@@ -44,9 +44,10 @@ monitor::Config loadConfig(const Value& tree, const std::string& where, const st
   return config;
 }
 
-monitor::Config loadConfigFile(const std::string& path)
+monitor::Config loadConfigFile(const std::string& path, const std::function<Value(Value)>& prepare)
 {
-  return loadConfig(readYamlFile(path), path, std::filesystem::path(path).parent_path().string());
+  const Value tree = readYamlFile(path);
+  return loadConfig(prepare ? prepare(tree) : tree, path, std::filesystem::path(path).parent_path().string());
 }
 
 }  // namespace tether_monitor::params

@@ -239,6 +239,12 @@ bool ParameterReader::isText(const char* key, const std::string& textOrInteger)
   return text && *text == textOrInteger;
 }
 
+bool ParameterReader::isText(const char* key)
+{
+  const Value* value = find(key);
+  return value && value->get<std::string>();
+}
+
 bool ParameterReader::isList(const char* key)
 {
   const Value* value = find(key);

@@ -16,19 +16,6 @@ namespace tether_monitor
 {
 namespace
 {
-void openBag(const std::string& path, rosbag::Bag& bag)
-{
-  try
-  {
-    bag.open(path, rosbag::bagmode::Read);
-  }
-  catch (const std::exception& error)
-  {
-    throw std::runtime_error("cannot read the bag " + path + ": " + error.what() +
-                             " (a truncated bag may be mended with rosbag reindex)");
-  }
-}
-
 // A transform of the frame of a body is a pose of it, once all transforms are known.
 void addTransformPose(Body body, const ros::Time& stamp, const ros::Time& recorded, BagRecording& recording)
 {
@@ -189,6 +176,19 @@ std::vector<std::string> BagRecording::warnings() const
     texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
                     " refused, last: " + refusal.last_reason);
   return texts;
+}
+
+void openBag(const std::string& path, rosbag::Bag& bag)
+{
+  try
+  {
+    bag.open(path, rosbag::bagmode::Read);
+  }
+  catch (const std::exception& error)
+  {
+    throw std::runtime_error("cannot read the bag " + path + ": " + error.what() +
+                             " (a truncated bag may be mended with rosbag reindex)");
+  }
 }
 
 void BagRecording::read(const std::string& path, const std::string& ns, bool needs_vehicle)

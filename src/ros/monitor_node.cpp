@@ -5,6 +5,7 @@
 
 #include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
+#include "tether_monitor/ros/attachment_frames.h"
 #include "tether_monitor/ros/parameter_server.h"
 
 namespace tether_monitor
@@ -32,7 +33,8 @@ std::vector<InputSource> sourcesOf(const monitor::Config& config, const std::str
 MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
   : nh_(nh),
     private_nh_(private_nh),
-    runner_(params::loadConfig(readParameterServer(private_nh), private_nh.getNamespace())),
+    runner_(params::loadConfig(withPlacedAttachments(readParameterServer(private_nh), private_nh),
+                               private_nh.getNamespace())),
     keeper_(runner_.config().runtime.state_file),
     updater_(nh, private_nh, private_nh.getNamespace()),
     publisher_(nh, private_nh, runner_.config(), runner_.config().vehicle_mode == monitor::VehicleMode::OBSERVED,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/params/parameter_reader.h"
 #include "tether_monitor/params/parameter_value.h"
@@ -17,6 +20,7 @@ namespace tether_monitor::params
 monitor::Config loadConfig(const Value& tree, const std::string& where, const std::string& folder = "");
 
 /// The same from a YAML file; file names in it are counted from its folder. @throws also as readYamlFile().
-monitor::Config loadConfigFile(const std::string& path);
+/// @param prepare  what is done to the tree before it is read.
+monitor::Config loadConfigFile(const std::string& path, const std::function<Value(Value)>& prepare = nullptr);
 
 }  // namespace tether_monitor::params

@@ -52,6 +52,7 @@ class ParameterReader
   std::string textOrInteger(const char* key);
   /// True if the value at `key` is this text; says nothing of any other value.
   bool isText(const char* key, const std::string& text);
+  bool isText(const char* key);
   /// True if the value at `key` is a list; says nothing of any other value.
   bool isList(const char* key);
   /// Two numbers (z zero); NaN and an error if they are missing and there is no fallback.
