@@ -4,7 +4,7 @@
 Waves: it pays out and takes in as the vessel's end moves along the tether, which ~state has every cycle.
 Feedback: it pays out with the tension above its mean, at most `reference`, and takes in below.
 Forecast: while over-tension is probable it pays out towards the rate that the forecast recommends, gently, and
-less as the drum runs empty: the forecast does not know that the winch follows the waves, which wants tether left.
+less as the drum runs empty: the waves want tether left.
 Flag: while over_tension is true, or has not come for half a second, it only takes in what the waves give.
 It goes back to its usual length when nothing else is wanted.
 
