@@ -52,7 +52,8 @@ ForecastStart ForecastInputs::start(const CableSimulation& simulation, const Veh
   start.options = simulation.stepper.options();
   start.has_winch = std::isfinite(payout_rate);
   start.payout_rate = start.has_winch ? payout_rate : 0.0;
-  start.winch = winch_;
+  if (start.has_winch)
+    start.winch = winch_;
   start.vessel = vessel_;
   start.plan = plan_;
   start.payout_plan = payout_plan_;
