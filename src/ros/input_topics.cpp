@@ -167,6 +167,17 @@ Result InputSource::read(const topic_tools::ShapeShifter& message, const std::st
   return std::nullopt;
 }
 
+namespace
+{
+std::string inputNames()
+{
+  std::string names;
+  for (const InputTopic& topic : inputTopics())
+    names += (names.empty() ? "" : ", ") + std::string(topic.name);
+  return names;
+}
+}  // namespace
+
 std::vector<InputSource> inputSources(const monitor::InputsConfig& config)
 {
   std::vector<InputSource> sources;
@@ -177,8 +188,8 @@ std::vector<InputSource> inputSources(const monitor::InputsConfig& config)
     const InputTopic* topic = findInputTopic(source.topic);
     const bool is_further = topic && topic->name != source.topic;
     if (!topic || (is_further && topic->stream == InputStream::OTHER))
-      throw std::invalid_argument("inputs: '" + source.topic +
-                                  "' is no input (such as vessel/fix, or vehicle/pose2 for a second source)");
+      throw std::invalid_argument("inputs: '" + source.topic + "' is no input; those are " + inputNames() +
+                                  "; a second source is vehicle/pose2");
     if (is_further)
       sources.push_back({topic, source});
   }

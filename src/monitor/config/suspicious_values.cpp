@@ -13,6 +13,7 @@ using core::formatNumber;
 constexpr double THICKEST = 0.5;                                      // [m]
 constexpr double LIGHTEST = 150.0, HEAVIEST = 20000.0;                // [kg/m^3]
 constexpr double SOFTEST = 1e5, STIFFEST = 5e11;                      // EA over the section [Pa]
+constexpr double WEAKEST = 2e5;                                       // breaking load over the section [Pa]
 constexpr double FASTEST_WATER = 5.0;                                 // [m/s]
 constexpr double MOST_DRAG_NORMAL = 5.0, MOST_DRAG_TANGENTIAL = 2.0;  // [-]
 constexpr double LIGHTEST_BODY = 50.0, HEAVIEST_BODY = 12000.0;       // [kg/m^3]
@@ -34,6 +35,9 @@ void checkProperties(const std::string& prefix, const core::CableProperties& p, 
     found.push_back(prefix + "axial_stiffness = " + formatNumber(p.axial_stiffness) +
                     " N is less than breaking_load = " + formatNumber(p.breaking_load) +
                     " N, so it doubles its length before it breaks: is one of them in kN?");
+  if (p.diameter <= THICKEST && p.breaking_load / p.displacedArea() < WEAKEST)
+    found.push_back(prefix + "breaking_load = " + formatNumber(p.breaking_load) + " N over the section is " +
+                    formatNumber(1e-6 * p.breaking_load / p.displacedArea()) + " MPa: is it in kN?");
   if (p.drag_normal > MOST_DRAG_NORMAL)
     found.push_back(prefix + "drag_normal = " + formatNumber(p.drag_normal) + ": a coefficient is near 1");
   if (p.drag_tangential > MOST_DRAG_TANGENTIAL)

@@ -26,6 +26,8 @@ TEST(SuspiciousValues, ASlipOfAUnitIsNamed)
   EXPECT_NE(findingAfter([](Config& c) { c.tether.diameter *= 1000.0; }).find("in mm?"), std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.tether.mass_per_length *= 1000.0; }).find("per km"), std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.tether.axial_stiffness /= 1000.0; }).find("in kN?"), std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.tether.breaking_load /= 1000.0; }).find("breaking_load = 5 N"),
+            std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.tether.axial_stiffness *= 1e6; }).find("Pa"), std::string::npos);
   EXPECT_NE(
       findingAfter([](Config& c) { c.environment.current = core::CurrentProfile(core::Vector3(50.0, 0.0, 0.0)); })
