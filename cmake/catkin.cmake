@@ -21,7 +21,7 @@ generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES tether_monitor_core tether_monitor_monitor
-  CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet roscpp rosgraph_msgs sensor_msgs
-    std_msgs std_srvs topic_tools visualization_msgs
+  CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet roscpp rosgraph_msgs
+    sensor_msgs std_msgs std_srvs topic_tools visualization_msgs
   DEPENDS EIGEN3
   CFG_EXTRAS tether_monitor-extras.cmake)

@@ -13,8 +13,8 @@ export(TARGETS tether_monitor_core tether_monitor_monitor NAMESPACE tether_monit
 add_library(tether_monitor_ros STATIC
   src/ros/alarm_publisher.cpp
   src/ros/alarm_text.cpp
-  src/ros/bag_recording.cpp
   src/ros/attachment_frames.cpp
+  src/ros/bag_recording.cpp
   src/ros/bag_replay.cpp
   src/ros/body_input.cpp
   src/ros/motion_input_adapter.cpp

@@ -7,16 +7,18 @@ import tempfile
 import threading
 import unittest
 
+import numpy as np
 import rosbag
 import rospkg
 import rospy
 import rostest
 import yaml
-from geometry_msgs.msg import PoseStamped, TransformStamped
+from geometry_msgs.msg import PoseStamped
 from tether_monitor.msg import TetherState
 from tf2_msgs.msg import TFMessage
 
 import common.old_rospy  # noqa: F401
+from common.imitated_stacks import set_vector, stamped, static
 from common.nodes import run_until, start
 
 PACKAGE = rospkg.RosPack().get_path("tether_monitor")
@@ -33,23 +35,14 @@ def parameters():
     return site
 
 
-def mount(parent, child, place, stamp):
-    transform = TransformStamped()
-    transform.header.stamp, transform.header.frame_id, transform.child_frame_id = stamp, parent, child
-    transform.transform.translation.x, transform.transform.translation.y, transform.transform.translation.z = place
-    transform.transform.rotation.w = 1.0
-    return transform
+def mounts():
+    return TFMessage([static("ship", "stern", (-10.0, 0.0, 0.0), np.eye(3)), static("stern", "fairlead", (-2.0, 2.0, 3.0), np.eye(3)),
+                      static("towfish", "bridle", BRIDLE, np.eye(3))])
 
 
-def mounts(stamp):
-    mast = mount("ship", "stern", (-10.0, 0.0, 0.0), stamp)
-    return TFMessage([mast, mount("stern", "fairlead", (-2.0, 2.0, 3.0), stamp), mount("towfish", "bridle", BRIDLE, stamp)])
-
-
-def pose(place, stamp):
-    message = PoseStamped()
-    message.header.stamp, message.header.frame_id = stamp, "map"
-    message.pose.position.x, message.pose.position.y, message.pose.position.z = place
+def pose(place, t):
+    message = stamped(PoseStamped(), t, "map")
+    set_vector(message.pose.position, place)
     message.pose.orientation.w = 1.0
     return message
 
@@ -74,9 +67,9 @@ class AttachmentFrames(unittest.TestCase):
             while not is_over.wait(0.1):
                 count += 1
                 for publisher, place in poses:
-                    publisher.publish(pose(place, rospy.Time.now()))
+                    publisher.publish(pose(place, rospy.get_time()))
                 if count == 30:
-                    static.publish(mounts(rospy.Time.now()))
+                    static.publish(mounts())
         threading.Thread(target=play, daemon=True).start()
         alive = run_until(start(NAMESPACE, "tether_monitor_node"), lambda: states and states[-1].position, 25.0)
         is_over.set()
@@ -106,10 +99,10 @@ class AttachmentFrames(unittest.TestCase):
             path = os.path.join(folder, "dive.bag")
             with rosbag.Bag(path, "w") as bag:
                 for k in range(100):
-                    stamp = rospy.Time(1000.0 + 0.1 * k)
-                    bag.write(NAMESPACE + "/vessel/pose", pose(VESSEL, stamp), stamp)
-                    bag.write(NAMESPACE + "/vehicle/pose", pose(VEHICLE, stamp), stamp)
-                bag.write("/tf_static", mounts(rospy.Time(1000.0)), rospy.Time(1009.0))
+                    t = 1000.0 + 0.1 * k
+                    bag.write(NAMESPACE + "/vessel/pose", pose(VESSEL, t), rospy.Time(t))
+                    bag.write(NAMESPACE + "/vehicle/pose", pose(VEHICLE, t), rospy.Time(t))
+                bag.write("/tf_static", mounts(), rospy.Time(1009.0))
             ended = self.replay(folder, "--bag", path, "--ns", NAMESPACE)
             self.assertEqual(ended.returncode, 0, ended.stdout)
             with open(folder + "/out/shape.csv") as text:
