@@ -14,6 +14,7 @@ add_library(tether_monitor_ros STATIC
   src/ros/alarm_publisher.cpp
   src/ros/alarm_text.cpp
   src/ros/attachment_frames.cpp
+  src/ros/bag_messages.cpp
   src/ros/bag_recording.cpp
   src/ros/bag_replay.cpp
   src/ros/body_input.cpp

@@ -89,6 +89,7 @@ set(test_files
   test/monitor/estimator/tether_estimator_test.cpp
   test/monitor/estimator/tracked_body_test.cpp
   test/monitor/forecast/end_motion_predictor_test.cpp
+  test/monitor/forecast/fading_memory_test.cpp
   test/monitor/forecast/forecast_score_test.cpp
   test/monitor/forecast/forecast_traces_test.cpp
   test/monitor/forecast/tether_forecaster_test.cpp

@@ -2,15 +2,15 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <rosbag/view.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <set>
 #include <vector>
 
 #include "tether_monitor/params/attachment_frames.h"
 #include "tether_monitor/params/parameter_reader.h"
-#include "tether_monitor/ros/bag_recording.h"
+#include "tether_monitor/ros/bag_messages.h"
 #include "tether_monitor/ros/crash_guard.h"
 #include "tether_monitor/ros/sensor_mounts.h"
 #include "tether_monitor/ros/transform_input.h"
@@ -74,17 +74,27 @@ params::Value withPlacedAttachments(params::Value tree, const std::string& where
   const CrashGuard crash("the bag is damaged beyond what can be read\n");
   rosbag::Bag recording;
   openBag(bag, recording);
+  std::set<std::string> frames;
   for (const bool is_static : {true, false})
   {
     const std::string topic = is_static ? "/tf_static" : "/tf";
-    for (const rosbag::MessageInstance& m : rosbag::View(recording, rosbag::TopicQuery({topic, topic.substr(1)})))
-    {
-      if (const auto message = m.instantiate<tf2_msgs::TFMessage>())
-        addTransforms(*message, is_static, ros::Time(), transforms);
-      unknown = place(tree, transforms);
-      if (unknown.empty())
-        return tree;
-    }
+    rosbag::View view(recording, rosbag::TopicQuery({topic, topic.substr(1)}));
+    visitMessages(bag, view,
+                  [&](const rosbag::MessageInstance& m)
+                  {
+                    const auto message = m.instantiate<tf2_msgs::TFMessage>();
+                    if (!message)
+                      return true;
+                    addTransforms(*message, is_static, ros::Time(), transforms);
+                    bool is_news = false;
+                    for (const geometry_msgs::TransformStamped& transform : message->transforms)
+                      is_news |= frames.insert(transform.child_frame_id).second;
+                    if (is_news)
+                      unknown = place(tree, transforms);
+                    return !unknown.empty();
+                  });
+    if (unknown.empty())
+      return tree;
   }
   throw params::ParameterError(where + " with " + bag, unknown);
 }

@@ -1,7 +1,5 @@
 #include "tether_monitor/ros/bag_recording.h"
 
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tether_monitor/ros/bag_messages.h"
 #include "tether_monitor/ros/crash_guard.h"
 #include "tether_monitor/ros/transform_input.h"
 
@@ -178,19 +177,6 @@ std::vector<std::string> BagRecording::warnings() const
   return texts;
 }
 
-void openBag(const std::string& path, rosbag::Bag& bag)
-{
-  try
-  {
-    bag.open(path, rosbag::bagmode::Read);
-  }
-  catch (const std::exception& error)
-  {
-    throw std::runtime_error("cannot read the bag " + path + ": " + error.what() +
-                             " (a truncated bag may be mended with rosbag reindex)");
-  }
-}
-
 void BagRecording::read(const std::string& path, const std::string& ns, bool needs_vehicle)
 {
   const CrashGuard crash("the bag is damaged beyond what can be read\n");
@@ -199,23 +185,18 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
   const std::string prefix = prefixOf(ns);
   const auto by_topic = sourcesByTopic(sources, prefix);
   rosbag::View all(bag);
-  try
-  {
-    for (const rosbag::MessageInstance& m : all)
-    {
-      const std::string& topic = m.getTopic();
-      const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
-      if (rooted == "/tf" || rooted == "/tf_static")
-        addTransformsOf(m, rooted == "/tf_static", *this);
-      const auto [first, last] = by_topic.equal_range(rooted);
-      for (auto source = first; source != last; ++source)
-        addMessage(m, *source->second, *this);
-    }
-  }
-  catch (const std::exception& error)
-  {
-    throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
-  }
+  visitMessages(path, all,
+                [&](const rosbag::MessageInstance& m)
+                {
+                  const std::string& topic = m.getTopic();
+                  const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+                  if (rooted == "/tf" || rooted == "/tf_static")
+                    addTransformsOf(m, rooted == "/tf_static", *this);
+                  const auto [first, last] = by_topic.equal_range(rooted);
+                  for (auto source = first; source != last; ++source)
+                    addMessage(m, *source->second, *this);
+                  return true;
+                });
   dropStrayRecords(*this);
   // What is measured of a free vehicle is not used.
   if (!needs_vehicle)

@@ -94,21 +94,38 @@ class AttachmentFrames(unittest.TestCase):
         return subprocess.run(["rosrun", "tether_monitor", "tether_replay", "--config", config, "--out", folder + "/out"]
                               + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
 
+    def record(self, path, compression="none"):
+        with rosbag.Bag(path, "w", compression=compression) as bag:
+            for k in range(100):
+                t = 1000.0 + 0.1 * k
+                bag.write(NAMESPACE + "/vessel/pose", pose(VESSEL, t), rospy.Time(t))
+                bag.write(NAMESPACE + "/vehicle/pose", pose(VEHICLE, t), rospy.Time(t))
+            bag.write("/tf_static", mounts(), rospy.Time(1009.0))
+
     def test_of_a_bag(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "dive.bag")
-            with rosbag.Bag(path, "w") as bag:
-                for k in range(100):
-                    t = 1000.0 + 0.1 * k
-                    bag.write(NAMESPACE + "/vessel/pose", pose(VESSEL, t), rospy.Time(t))
-                    bag.write(NAMESPACE + "/vehicle/pose", pose(VEHICLE, t), rospy.Time(t))
-                bag.write("/tf_static", mounts(), rospy.Time(1009.0))
+            self.record(path)
             ended = self.replay(folder, "--bag", path, "--ns", NAMESPACE)
             self.assertEqual(ended.returncode, 0, ended.stdout)
             with open(folder + "/out/shape.csv") as text:
                 rows = list(csv.DictReader(text))
             last = [[float(row[key]) for key in ("x", "y", "z")] for row in rows if row["t"] == rows[-1]["t"]]
             self.assert_fastened(last[0], last[-1])
+
+    def test_of_a_bag_that_is_damaged(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "dive.bag")
+            self.record(path, "bz2")
+            with open(path, "rb") as bag:
+                content = bytearray(bag.read())
+            at = content.index(b"BZh") + 200
+            content[at:at + 50] = bytes(50)
+            with open(path, "wb") as bag:
+                bag.write(content)
+            ended = self.replay(folder, "--bag", path, "--ns", NAMESPACE)
+            self.assertEqual(ended.returncode, 1, ended.stdout)
+            self.assertIn("the bag %s is damaged" % path, ended.stdout)
 
     def test_a_table_has_no_frames(self):
         with tempfile.TemporaryDirectory() as folder:

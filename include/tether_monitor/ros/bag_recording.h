@@ -1,6 +1,5 @@
 #pragma once
 
-#include <rosbag/bag.h>
 #include <tf2/buffer_core.h>
 
 #include <algorithm>
@@ -15,9 +14,6 @@
 
 namespace tether_monitor
 {
-/// Opens a bag for reading. @throws std::runtime_error naming it and what helps.
-void openBag(const std::string& path, rosbag::Bag& bag);
-
 /// One input message of a bag, ready to be given to the estimator.
 struct BagInput
 {

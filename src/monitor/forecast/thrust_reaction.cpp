@@ -7,25 +7,23 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double MEMORY = 20.0, LONGEST_GAP = 60.0;  // [s]
-constexpr double INDEPENDENT = 5.0;                  // [s] after which an error of the regression is another
-constexpr double FORCE_NOISE = 10.0;                 // of an estimated force [N]
+constexpr double MEMORY = 20.0;       // [s]
+constexpr double INDEPENDENT = 5.0;   // [s] after which an error of the regression is another
+constexpr double FORCE_NOISE = 10.0;  // of an estimated force [N]
 // Before anything is known every share is as probable.
 constexpr double PRIOR_SHARE = 0.5, PRIOR_VARIANCE = 1.0 / 12.0;
 }  // namespace
 
 void ThrustReaction::observe(double t, const core::Vector3& thrust, const core::Vector3& tether_force)
 {
-  const double dt = t - time_;
-  if (observed_for_ > 0.0 && (dt <= 0.0 || dt > LONGEST_GAP))
+  if (!memory_.isContinuedAt(t))
     clear();
-  time_ = t;
+  const bool is_first = memory_.isEmpty();
+  const double dt = memory_.advance(t);
   force_ = tether_force;
   largest_ = std::max(largest_, thrust.norm());
-  const bool is_first = observed_for_ == 0.0;
-  observed_for_ += is_first ? 1e-3 : dt;
   slow_force_ = is_first ? tether_force : smoothed(slow_force_, tether_force, dt);
-  const double share = is_first ? 1.0 : 1.0 - std::exp(-dt / std::min(MEMORY, observed_for_));
+  const double share = memory_.shareOfNow(dt, MEMORY);
   for (int k = 0; k < 3; ++k)
     axes_[k].observe(share, slow_force_[k], thrust[k]);
 }
@@ -33,15 +31,15 @@ void ThrustReaction::observe(double t, const core::Vector3& thrust, const core::
 bool ThrustReaction::isValid() const
 {
   const auto is_valid = [](const FadingRegression& axis) { return axis.isValid(); };
-  return std::isfinite(time_) && observed_for_ >= 0.0 && largest_ >= 0.0 && force_.allFinite() &&
-         slow_force_.allFinite() && std::all_of(axes_.begin(), axes_.end(), is_valid);
+  return memory_.isValid() && largest_ >= 0.0 && force_.allFinite() && slow_force_.allFinite() &&
+         std::all_of(axes_.begin(), axes_.end(), is_valid);
 }
 
 // Least squares with the prior: what the regression leaves unexplained is its noise.
 ThrustReaction::Share ThrustReaction::share() const
 {
   Share share;
-  const double independent = std::max(std::min(observed_for_, 2.0 * MEMORY) / INDEPENDENT, 1.0);
+  const double independent = memory_.independent(MEMORY, INDEPENDENT);
   for (int k = 0; k < 3; ++k)
   {
     const double signal = std::max(axes_[k].varianceX() - FORCE_NOISE * FORCE_NOISE, 0.0);
@@ -58,7 +56,7 @@ ThrustReaction::Share ThrustReaction::share() const
 
 core::Vector3 ThrustReaction::smoothed(const core::Vector3& slow, const core::Vector3& now, double dt)
 {
-  return slow + (1.0 - std::exp(-dt / RESPONSE)) * (now - slow);
+  return slow + FadingMemory::passed(dt, RESPONSE) * (now - slow);
 }
 
 }  // namespace tether_monitor::monitor

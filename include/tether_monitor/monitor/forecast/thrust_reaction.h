@@ -3,6 +3,7 @@
 #include <array>
 
 #include "tether_monitor/core/base/types.h"
+#include "tether_monitor/monitor/forecast/fading_memory.h"
 #include "tether_monitor/monitor/forecast/fading_regression.h"
 
 namespace tether_monitor::monitor
@@ -23,7 +24,7 @@ class ThrustReaction
   void observe(double t, const core::Vector3& thrust, const core::Vector3& tether_force);
   void clear() { *this = ThrustReaction(); }
   /// True once it has been observed for ten seconds.
-  bool isReady() const { return observed_for_ >= 10.0; }
+  bool isReady() const { return memory_.isReady(); }
   bool isValid() const;
 
   /// What the thrust answers: the tether's force without waves [N].
@@ -45,11 +46,11 @@ class ThrustReaction
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(time_, observed_for_, force_, slow_force_, axes_, largest_);
+    a(memory_, force_, slow_force_, axes_, largest_);
   }
 
  private:
-  double time_ = 0.0, observed_for_ = 0.0;                                            // [s]
+  FadingMemory memory_;
   core::Vector3 force_ = core::Vector3::Zero(), slow_force_ = core::Vector3::Zero();  // [N]
   std::array<FadingRegression, 3> axes_;                                              // of thrust on force
   double largest_ = 0.0;                                                              // [N]

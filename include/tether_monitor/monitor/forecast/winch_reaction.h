@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/cable/cable_state.h"
+#include "tether_monitor/monitor/forecast/fading_memory.h"
 #include "tether_monitor/monitor/forecast/fading_regression.h"
 
 namespace tether_monitor::monitor
@@ -18,7 +19,7 @@ class WinchReaction
   void observe(double t, double rate, double away);
   void clear() { *this = WinchReaction(); }
   /// True once it has been observed for ten seconds.
-  bool isReady() const { return observed_for_ >= 10.0; }
+  bool isReady() const { return memory_.isReady(); }
   bool isValid() const;
 
   /// Pay-out per velocity of the vessel's end, 0 (a winch that follows no waves) to LARGEST_SHARE [-].
@@ -38,14 +39,14 @@ class WinchReaction
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(time_, observed_for_, regression_, slow_rate_, fluctuation_);
+    a(memory_, regression_, slow_rate_, fluctuation_);
   }
 
  private:
-  double time_ = 0.0, observed_for_ = 0.0;  // [s]
-  FadingRegression regression_;             // of the rate on the velocity
-  double slow_rate_ = 0.0;                  // [m/s]
-  double fluctuation_ = 0.0;                // mean square of the rest about it [m^2/s^2]
+  FadingMemory memory_;
+  FadingRegression regression_;  // of the rate on the velocity
+  double slow_rate_ = 0.0;       // [m/s]
+  double fluctuation_ = 0.0;     // mean square of the rest about it [m^2/s^2]
 };
 
 }  // namespace tether_monitor::monitor
