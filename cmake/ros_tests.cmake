@@ -19,6 +19,17 @@ foreach(scenario nominal_bag over_tension stale_vehicle rejected_input clock_jum
   add_dependencies(${scenario}_test tether_monitor_node)
 endforeach()
 
+if(TARGET tether_monitor_rviz)
+  add_unit_test(test/rviz/panel_text_test.cpp)
+  target_sources(rviz_panel_text_test PRIVATE src/rviz/panel_text.cpp)
+  target_link_libraries(rviz_panel_text_test tether_monitor_ros)
+  add_rostest_gtest(tether_panel_test test/rviz/tether_panel.test test/rviz/tether_panel_test.cpp)
+  target_include_directories(tether_panel_test SYSTEM PRIVATE ${rviz_INCLUDE_DIRS})
+  target_compile_definitions(tether_panel_test PRIVATE QT_NO_KEYWORDS)
+  target_link_libraries(tether_panel_test tether_monitor_ros ${rviz_LIBRARIES} Qt5::Widgets)
+  add_dependencies(tether_panel_test tether_monitor_rviz)
+endif()
+
 # The installation, where the prefix is a folder of the build (scripts/environment.sh): elsewhere a test must not install.
 if(CMAKE_INSTALL_PREFIX STREQUAL "${CMAKE_BINARY_DIR}/install")
   add_test(NAME installed COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/installed.py ${CMAKE_BINARY_DIR} ${CMAKE_INSTALL_PREFIX})

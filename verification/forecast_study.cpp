@@ -75,7 +75,8 @@ ScoredDive scoreDive(const Manoeuvre& manoeuvre, const DrawnTruth& drawn, bool h
               return;
             last = t;
             const double began = cpuTime();
-            dive.score.add(forecaster.run(*start, HORIZON, MEMBERS));
+            dive.score.add(forecaster.run(*start, HORIZON, MEMBERS),
+                           estimator.estimate().working_utilisation > 1.0);
             dive.cpu += cpuTime() - began;
             ++dive.forecasts;
           });

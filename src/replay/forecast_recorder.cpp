@@ -30,7 +30,8 @@ void ForecastRecorder::observe(const monitor::TetherEstimator& estimator)
   const monitor::TetherEstimate& e = estimator.estimate();
   if (!e.has_stations)
     return;
-  score_.observe(e.time, limits_.limit && e.working_utilisation > *limits_.limit);
+  const bool is_over = limits_.limit && e.working_utilisation > *limits_.limit;
+  score_.observe(e.time, is_over);
   if (e.time < last_ + 1.0 / config_.rate - 1e-6 && e.time >= last_)
     return;
   const std::optional<monitor::ForecastStart> start = estimator.forecastStart();
@@ -41,7 +42,7 @@ void ForecastRecorder::observe(const monitor::TetherEstimator& estimator)
   const monitor::TetherForecast forecast = forecaster_.run(*start, config_.horizon, config_.members);
   cpu_seconds_ += cpuClock() - began;
   ++count_;
-  score_.add(forecast);
+  score_.add(forecast, is_over);
   write(forecast);
 }
 

@@ -32,10 +32,10 @@ void ForecastScore::observe(double t, bool is_over)
   over_times_.push_back(t);
 }
 
-void ForecastScore::add(const TetherForecast& forecast)
+void ForecastScore::add(const TetherForecast& forecast, bool is_estimate_over)
 {
   if (forecast.members > 0)
-    made_.push_back({forecast.t, forecast.horizon, forecast.probability_over_tension, is_over_});
+    made_.push_back({forecast.t, forecast.horizon, forecast.probability_over_tension, is_over_, is_estimate_over});
 }
 
 void ForecastScore::add(const ForecastScore& other)
@@ -57,24 +57,25 @@ ForecastScore::Sums ForecastScore::evaluate() const
   {
     if (spell_began < 0.0)
       return;
-    ++sums.warnings;
-    const bool is_known = now_ >= spell_ended + horizon;
-    sums.false_warnings += is_known && nextOf(over_times_, spell_began) > spell_ended + horizon;
+    const bool came = nextOf(over_times_, spell_began) <= spell_ended + horizon;
+    const bool is_known = came || now_ >= spell_began + horizon;
+    sums.warnings += is_known;
+    sums.false_warnings += is_known && !came;
     spell_began = -1.0;
   };
   for (const Made& made : made_)
   {
     if (made.t - spell_ended > CALM)
       endSpell();
-    const bool is_warning = !made.was_over && made.probability >= WARNING;
+    const bool is_warning = !made.was_estimate_over && made.probability >= WARNING;
     if (is_warning && spell_began < 0.0)
       spell_began = made.t;
-    if (is_warning || made.was_over)
+    if (is_warning || made.was_estimate_over)
     {
       spell_ended = made.t;
       horizon = made.horizon;
     }
-    if (made.was_over)
+    if (made.was_estimate_over)
       continue;
     if (made.t + made.horizon > now_)
       continue;
@@ -104,7 +105,7 @@ ForecastScore::Sums ForecastScore::evaluate() const
         continue;
       if (last - made->t > LONGEST_PAUSE || onset - made->t > made->horizon)
         break;
-      if (made->probability < WARNING)
+      if (made->probability < WARNING && !made->was_estimate_over)
         continue;
       first = last = made->t;
     }

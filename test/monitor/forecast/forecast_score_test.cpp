@@ -19,7 +19,7 @@ ForecastScore record(const Probability& probability)
     forecast.horizon = 30.0;
     forecast.members = 96;
     forecast.probability_over_tension = probability(t);
-    score.add(forecast);
+    score.add(forecast, t % 100 == 0);
   }
   return score;
 }
@@ -48,6 +48,32 @@ TEST(ForecastScore, OneThatIsLateOrCriesWolf)
   EXPECT_EQ(wolf.warnings, 36);
   EXPECT_EQ(wolf.false_warnings, 36);
   EXPECT_EQ(wolf.warned, 0);
+}
+
+// Half of a hundred tethers are past a limit that the estimate is just below, and nobody knows which: each
+// forecast says one half, and is right.
+TEST(ForecastScore, WhatNobodyKnowsDoesNotChooseTheForecasts)
+{
+  ForecastScore all;
+  for (int dive = 0; dive < 100; ++dive)
+  {
+    ForecastScore score;
+    for (int t = 1; t <= 300; ++t)
+    {
+      score.observe(t, dive % 2 == 0);
+      TetherForecast forecast;
+      forecast.t = t;
+      forecast.horizon = 30.0;
+      forecast.members = 96;
+      forecast.probability_over_tension = 0.5;
+      score.add(forecast, false);
+    }
+    all.add(score);
+  }
+  const ForecastScore::Result r = all.result();
+  EXPECT_NEAR(r.reliability[3].observed, 0.5, 1e-9);
+  EXPECT_EQ(r.warnings, 100);
+  EXPECT_EQ(r.false_warnings, 50);
 }
 
 TEST(ForecastScore, AnHonestDoubtIsReliable)

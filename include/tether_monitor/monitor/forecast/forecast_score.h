@@ -10,8 +10,9 @@ namespace tether_monitor::monitor
 /**
  * How good forecasts of over-tension were, against what came: (F4) of doc/theory/forecast.md.
  *
- * A forecast counts if the tether is not past the limit when it is made and if what came is known to the end of
- * its horizon. An event begins when the limit is passed after at least ten seconds below it.
+ * A forecast counts if the estimate is not past the limit when it is made (then the alarm has come) and if what
+ * came is known to the end of its horizon. Whether the tether is past it at that time must not matter: nobody
+ * knows. An event begins when the limit is passed after at least ten seconds below it.
  */
 class ForecastScore
 {
@@ -29,16 +30,18 @@ class ForecastScore
     std::vector<Reliability> reliability;
     double brier_score = 0.0;  ///< mean square of probability less outcome; 0 is perfect.
     long events = 0;
-    long warned = 0;  ///< events with a probability of at least one half, ten seconds or more ahead.
+    long warned =
+        0;  ///< events with a probability of at least one half (or the alarm), ten seconds or more ahead.
     double median_lead_time = TetherForecast::NONE;  ///< from the first such forecast to the event [s].
     long warnings = 0;                               ///< spells of such forecasts, ten seconds or more apart.
-    long false_warnings = 0;                         ///< of these, without an event within a horizon of their end.
+    long false_warnings = 0;  ///< of these, where nothing came within a horizon of their end, or of the record.
   };
 
   /// Whether the tether is past the limit at time t [s]; in order of time.
   void observe(double t, bool is_over);
-  /// A forecast made at the time of the last observation; those without members do not count.
-  void add(const TetherForecast& forecast);
+  /// A forecast made at the time of the last observation, and whether the estimate is past the limit then.
+  /// Forecasts without members do not count.
+  void add(const TetherForecast& forecast, bool is_estimate_over);
   /// Takes in the sums of another record.
   void add(const ForecastScore& other);
   Result result() const;
@@ -47,7 +50,7 @@ class ForecastScore
   struct Made
   {
     double t, horizon, probability;
-    bool was_over;
+    bool was_over, was_estimate_over;
   };
 
   struct Sums

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <tether_monitor/Alarm.h>
+#include <tether_monitor/TetherForecast.h>
+#include <tether_monitor/TetherState.h>
+
+#include <string>
+
+namespace tether_monitor
+{
+/// "valid", or what the estimate is worth and why: "DEGRADED: UNCERTAIN".
+std::string estimateText(const TetherState& state);
+
+/// "4.54 kN", with its 5 and 95 % quantiles where they are known: "4.54 kN (3.91 kN to 5.3 kN)".
+std::string bandText(double tension, double p05, double p95);
+
+/// What the next seconds are likely to bring, and what would keep the tether below its limit.
+std::string forecastText(const TetherForecast& forecast);
+
+/// State of an alarm: "ACTIVE"; what is past the codes is "unknown".
+std::string alarmStateText(const Alarm& alarm);
+
+/// True for an alarm that an operator is to see: neither normal nor put aside.
+bool isShown(const Alarm& alarm);
+
+}  // namespace tether_monitor

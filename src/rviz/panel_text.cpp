@@ -1,0 +1,75 @@
+#include "tether_monitor/rviz/panel_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "tether_monitor/monitor/alarms/alarm_life.h"
+#include "tether_monitor/monitor/estimate/status.h"
+#include "tether_monitor/ros/force_text.h"
+
+namespace tether_monitor
+{
+namespace
+{
+std::string percent(const char* what, double probability)
+{
+  char text[60];
+  std::snprintf(text, sizeof(text), "%s %.0f %%", what, 100.0 * probability);
+  return text;
+}
+
+std::string number(const char* format, double x)
+{
+  char text[100];
+  std::snprintf(text, sizeof(text), format, x);
+  return text;
+}
+}  // namespace
+
+std::string estimateText(const TetherState& state)
+{
+  if (state.status > TetherState::STATUS_STOWED || state.reason > TetherState::REASON_IMPLAUSIBLE)
+    return "unknown status: the message is of another version";
+  const auto reason = static_cast<monitor::Reason>(state.reason);
+  const std::string status =
+      state.status == TetherState::STATUS_OK ? "valid" : describe(static_cast<monitor::Status>(state.status));
+  return reason == monitor::Reason::NONE ? status : status + ": " + describe(reason);
+}
+
+std::string bandText(double tension, double p05, double p95)
+{
+  const std::string text = forceText(tension);
+  if (!std::isfinite(p05) || !std::isfinite(p95))
+    return text;
+  return text + " (" + forceText(p05) + " to " + forceText(p95) + ")";
+}
+
+std::string forecastText(const TetherForecast& forecast)
+{
+  if (forecast.members == 0)
+    return "no forecast";
+  std::string text = number("next %.0f s: ", forecast.horizon);
+  text += percent("over-tension", forecast.probability_over_tension);
+  if (std::isfinite(forecast.time_to_limit))
+    text += number(" in %.0f s", forecast.time_to_limit);
+  text += percent(", breaking", forecast.probability_breaking) + percent(", slack", forecast.probability_slack);
+  if (std::isfinite(forecast.recommended_payout_rate))
+    text += number("\nsafe: pay out %.2f m/s or more", forecast.recommended_payout_rate);
+  if (std::isfinite(forecast.recommended_vessel_speed))
+    text += number("\nsafe: vessel at %.1f m/s or less", forecast.recommended_vessel_speed);
+  return text;
+}
+
+std::string alarmStateText(const Alarm& alarm)
+{
+  if (alarm.state > Alarm::OUT_OF_SERVICE)
+    return "unknown";
+  return describe(static_cast<monitor::AlarmState>(alarm.state));
+}
+
+bool isShown(const Alarm& alarm)
+{
+  return alarm.state >= Alarm::UNACKNOWLEDGED && alarm.state <= Alarm::LATCHED;
+}
+
+}  // namespace tether_monitor

@@ -1,0 +1,60 @@
+#include "tether_monitor/rviz/panel_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tether_monitor
+{
+namespace
+{
+constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(PanelText, SaysWhatTheEstimateIsWorth)
+{
+  TetherState state;
+  EXPECT_EQ(estimateText(state), "valid");
+  state.status = TetherState::STATUS_INVALID;
+  state.reason = TetherState::REASON_VESSEL_STALE;
+  const std::string text = estimateText(state);
+  EXPECT_EQ(text.rfind("INVALID: ", 0), 0u) << text;
+  EXPECT_NE(text.find("VESSEL_STALE"), std::string::npos) << text;
+  state.reason = 200;
+  EXPECT_NE(estimateText(state).find("another version"), std::string::npos);
+}
+
+TEST(PanelText, ABandIsSaidWhereItIsKnown)
+{
+  EXPECT_EQ(bandText(4540.0, NONE, NONE), "4.54 kN");
+  EXPECT_EQ(bandText(4540.0, 910.0, 5300.0), "4.54 kN (910 N to 5.3 kN)");
+  EXPECT_EQ(bandText(NONE, NONE, NONE), "unknown");
+}
+
+TEST(PanelText, OfAForecast)
+{
+  TetherForecast forecast;
+  EXPECT_EQ(forecastText(forecast), "no forecast");
+  forecast.members = 96;
+  forecast.horizon = 30.0;
+  forecast.probability_over_tension = 0.62;
+  forecast.probability_breaking = 0.0;
+  forecast.probability_slack = 0.031;
+  forecast.time_to_limit = 14.2;
+  forecast.recommended_payout_rate = 0.35;
+  forecast.recommended_vessel_speed = NONE;
+  EXPECT_EQ(forecastText(forecast),
+            "next 30 s: over-tension 62 % in 14 s, breaking 0 %, slack 3 %\nsafe: pay out 0.35 m/s or more");
+}
+
+TEST(PanelText, AlarmsThatArePutAsideAreNotShown)
+{
+  for (int state = 0; state < 20; ++state)
+  {
+    Alarm alarm;
+    alarm.state = static_cast<std::uint8_t>(state);
+    EXPECT_EQ(isShown(alarm), state >= Alarm::UNACKNOWLEDGED && state <= Alarm::LATCHED) << state;
+    EXPECT_FALSE(alarmStateText(alarm).empty());
+  }
+}
+}  // namespace tether_monitor
