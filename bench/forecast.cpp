@@ -1,6 +1,5 @@
 // How good forecasts of over-tension are when tether, water and vehicle are not known well: truths that are drawn
 // from what is told. Prints tables and writes a file.
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -18,20 +17,19 @@ constexpr unsigned SEEDS_APART = 1000;
 nlohmann::json print(const std::string& what, bool has_load_cell, int runs, double cpu,
                      const monitor::ForecastScore::Result& r)
 {
-  std::printf(
-      "%-45s %d | %3d runs | %3ld events, %3ld warned 10 s ahead, median %.0f s | %3ld warnings, %ld false | ",
-      what.c_str(), has_load_cell, runs, r.events, r.warned, r.median_lead_time, r.warnings, r.false_warnings);
-  nlohmann::json row{{"what", what},
-                     {"load_cell", has_load_cell},
-                     {"runs", runs},
-                     {"cpu", cpu},
-                     {"events", r.events},
-                     {"warned", r.warned},
-                     {"median_lead_time", std::isfinite(r.median_lead_time) ? nlohmann::json(r.median_lead_time)
-                                                                            : nlohmann::json(nullptr)},
-                     {"warnings", r.warnings},
-                     {"false_warnings", r.false_warnings},
-                     {"brier_score", r.brier_score}};
+  std::printf("%-45s %d | %3d runs | %3ld events | ", what.c_str(), has_load_cell, runs, r.events);
+  nlohmann::json row{{"what", what}, {"load_cell", has_load_cell}, {"runs", runs},
+                     {"cpu", cpu},   {"events", r.events},         {"brier_score", r.brier_score}};
+  for (const monitor::ForecastScore::Warnings& w : r.warnings)
+  {
+    std::printf("from %.0f %%: %ld warned, median %.0f s, %ld warnings, %ld false | ", 100.0 * w.probability,
+                w.warned, w.median_lead_time, w.warnings, w.false_warnings);
+    row["warnings"].push_back({{"from_probability", w.probability},
+                               {"warned", w.warned},
+                               {"median_lead_time", w.median_lead_time},
+                               {"warnings", w.warnings},
+                               {"false_warnings", w.false_warnings}});
+  }
   for (const monitor::ForecastScore::Reliability& b : r.reliability)
   {
     std::printf("%.0f: %.0f (%ld) ", 100.0 * b.mean_probability, 100.0 * b.observed, b.forecasts);
@@ -57,7 +55,8 @@ int main(int argc, char** argv)
   const int draws = argc > 2 ? std::atoi(argv[2]) : 50;
   unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1000;
   std::printf(
-      "case, load cell | runs | events | warnings | forecast %%: came true %% (forecasts) | a forecast [s]\n");
+      "case, load cell | runs | events | warnings from a probability on | forecast %%: came true %% (forecasts) | "
+      "a forecast [s]\n");
   nlohmann::json rows = nlohmann::json::array();
   // It may take an hour: what there is, is kept.
   const auto keep = [&](nlohmann::json row)

@@ -56,11 +56,11 @@ def misconfigured(rows):
 def forecast(rows):
     out = []
     for r in rows:
-        lead = "-" if r["median_lead_time"] is None else "%.0f s" % r["median_lead_time"]
         bins = ["-" if b["forecasts"] == 0 else "%s of %d" % (percent(b["came_true"]), b["forecasts"]) for b in r["reliability"]]
-        out.append([r["what"], WORDS[r["load_cell"]], str(r["runs"]), str(r["events"]), "%d, %s" % (r["warned"], lead),
-                    "%d, %d" % (r["warnings"], r["false_warnings"]), ", ".join(bins)])
-    return table(["dive", "load cell", "dives", "events", "warned 10 s ahead, median lead", "warnings, false",
+        warnings = ["%d, %s; %d of %d" % (w["warned"], "-" if w["median_lead_time"] is None else "%.0f s" % w["median_lead_time"],
+                                          w["false_warnings"], w["warnings"]) for w in r["warnings"]]
+        out.append([r["what"], WORDS[r["load_cell"]], str(r["runs"]), str(r["events"])] + warnings + [", ".join(bins)])
+    return table(["dive", "load cell", "dives", "events", "warnings from 50 % on: events warned, lead; false", "from 80 %", "from 95 %",
                   "forecasts of 0 to 5, 5 to 20, 20 to 40, 40 to 60, 60 to 80, 80 to 95, 95 to 100 %: came true"], out)
 
 

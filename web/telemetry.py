@@ -60,7 +60,7 @@ def forecast_values(m):
              "time_to_slack", "time_to_limit_p05", "recommended_vessel_speed", "recommended_payout_rate")
     values = {name: number(getattr(m, name)) for name in names}
     values.update(t=m.header.stamp.to_sec(), members=m.members, from_plan=m.from_plan, time=numbers(m.time),
-                  median=numbers(m.max_tension), p05=numbers(m.max_tension_p05), p95=numbers(m.max_tension_p95))
+                  position=[vector(p) for p in m.position], median=numbers(m.max_tension), p05=numbers(m.max_tension_p05), p95=numbers(m.max_tension_p95))
     return values
 
 

@@ -62,15 +62,14 @@ void ForecastRecorder::write(const monitor::TetherForecast& f)
 nlohmann::json ForecastRecorder::score() const
 {
   const monitor::ForecastScore::Result r = score_.result();
-  nlohmann::json out{{"forecasts", count_},
-                     {"cpu_seconds", cpu_seconds_},
-                     {"brier_score", r.brier_score},
-                     {"events", r.events},
-                     {"warned_10_s_ahead", r.warned},
-                     {"warnings", r.warnings},
-                     {"false_warnings", r.false_warnings}};
-  out["median_lead_time"] =
-      std::isfinite(r.median_lead_time) ? nlohmann::json(r.median_lead_time) : nlohmann::json(nullptr);
+  nlohmann::json out{
+      {"forecasts", count_}, {"cpu_seconds", cpu_seconds_}, {"brier_score", r.brier_score}, {"events", r.events}};
+  for (const monitor::ForecastScore::Warnings& w : r.warnings)
+    out["warnings"].push_back({{"from_probability", w.probability},
+                               {"warned_10_s_ahead", w.warned},
+                               {"median_lead_time", w.median_lead_time},
+                               {"warnings", w.warnings},
+                               {"false_warnings", w.false_warnings}});
   out["reliability"] = nlohmann::json::array();
   for (const monitor::ForecastScore::Reliability& row : r.reliability)
     out["reliability"].push_back({{"from", row.least},

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tether_monitor/ros/geometry_conversions.h"
+
 namespace tether_monitor
 {
 namespace
@@ -11,6 +13,7 @@ namespace
 constexpr int OUTPUT_QUEUE = 10;
 constexpr int SERVICE_THREADS = 1;
 constexpr double LONGEST_VALID = 15.0;             // of what a forecast says [s]
+constexpr double LONGEST_DRAWN = 5.0;              // [s]
 constexpr double SHORTEST = 1.0, LONGEST = 300.0;  // horizons that can be asked for [s]
 constexpr double LARGEST_SPEED = 50.0, LARGEST_TURN = 1.0, LARGEST_PAYOUT = 20.0;  // [m/s, rad/s, m/s]
 
@@ -81,6 +84,8 @@ TetherForecast toMessage(const std_msgs::Header& header, const monitor::TetherFo
   m.time_to_slack = f.time_to_slack;
   m.time_to_limit_p05 = f.time_to_limit_p05;
   m.place_s = f.place_s;
+  for (const core::Vector3& station : f.position)
+    m.position.push_back(pointMessage(station));
   m.members = static_cast<std::uint8_t>(std::min(f.members, 255));
   m.from_plan = f.from_plan;
   m.computing_time = f.computing_time;
@@ -123,11 +128,19 @@ double ForecastPublisher::probability(double t) const
   return is_of_now ? probability_ : std::nan("");
 }
 
+std::vector<core::Vector3> ForecastPublisher::position(const ros::Time& stamp) const
+{
+  const std::lock_guard<PriorityMutex> lock(mutex_);
+  const double age = secondsBetween(stamp, time_.stamp(probability_t_));
+  return age >= 0.0 && age < LONGEST_DRAWN ? position_ : std::vector<core::Vector3>();
+}
+
 void ForecastPublisher::publish(const monitor::TetherForecast& forecast)
 {
   {
     const std::lock_guard<PriorityMutex> lock(mutex_);
     probability_t_ = forecast.t;
+    position_ = forecast.position;
     probability_ = forecast.members > 0 ? forecast.probability_over_tension : std::nan("");
   }
   if (publisher_)

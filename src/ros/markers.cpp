@@ -276,4 +276,20 @@ visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const mo
   return array;
 }
 
+Marker forecastLine(const std_msgs::Header& header, const std::vector<core::Vector3>& stations)
+{
+  Marker m = blank(header, "forecast", 0, Marker::LINE_STRIP);
+  double length = 0.0;
+  for (std::size_t k = 0; k < stations.size(); ++k)
+  {
+    m.points.push_back(pointMessage(stations[k]));
+    length += k > 0 ? (stations[k] - stations[k - 1]).norm() : 0.0;
+  }
+  m.scale.x = LINE_WIDTH * length;
+  m.color = colour(0.9, 0.9, 1.0, 0.4);
+  if (m.points.size() < 2)
+    m.action = Marker::DELETE;
+  return m;
+}
+
 }  // namespace tether_monitor

@@ -6,6 +6,7 @@
 #include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/ros/attachment_frames.h"
+#include "tether_monitor/ros/markers.h"
 #include "tether_monitor/ros/parameter_server.h"
 
 namespace tether_monitor
@@ -37,11 +38,11 @@ MonitorNode::MonitorNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                                private_nh.getNamespace())),
     keeper_(runner_.config().runtime.state_file),
     updater_(nh, private_nh, private_nh.getNamespace()),
+    forecast_(private_nh, runner_.config()),
     publisher_(nh, private_nh, runner_.config(), runner_.config().vehicle_mode == monitor::VehicleMode::OBSERVED,
                runner_.config().vehicle_mode != monitor::VehicleMode::TRACKED,
-               [this](const std_msgs::Header& header) { return runner_.picture(header); }),
+               [this](const std_msgs::Header& header) { return picture(header); }),
     publishing_(publisher_),
-    forecast_(private_nh, runner_.config()),
     cycles_(1.0 / runner_.config().rate, ros::Time::isSimTime(), runner_.config().runtime,
             [this](double lateness) { cycle(lateness); }),
     settings_(private_nh, runner_.config(), [this](const monitor::Config& wanted) { return reconfigure(wanted); })
@@ -159,6 +160,13 @@ std::vector<std::string> MonitorNode::reconfigure(const monitor::Config& config)
   if (problems.empty())
     forecast_.reconfigure(config);
   return problems;
+}
+
+visualization_msgs::MarkerArray MonitorNode::picture(const std_msgs::Header& header)
+{
+  visualization_msgs::MarkerArray picture = runner_.picture(header);
+  picture.markers.push_back(forecastLine(header, forecast_.position(header.stamp)));
+  return picture;
 }
 
 void MonitorNode::cycle(double lateness)

@@ -44,6 +44,21 @@ std::string bandText(double tension, double p05, double p95)
   return text + " (" + forceText(p05) + " to " + forceText(p95) + ")";
 }
 
+std::string largestText(const TetherState& state)
+{
+  return forceText(state.max_tension) + number(" at %.3g m", state.max_tension_s) +
+         number("\n%.0f %% of working load", 100.0 * state.working_utilisation);
+}
+
+std::string lengthText(const TetherState& state)
+{
+  constexpr double AT_REST = 0.005;  // [m/s]
+  const std::string text = number("%.4g m", state.length);
+  if (!(std::abs(state.payout_rate) >= AT_REST))
+    return text;
+  return text + number(state.payout_rate > 0.0 ? ", out %.2f m/s" : ", in %.2f m/s", std::abs(state.payout_rate));
+}
+
 std::string forecastText(const TetherForecast& forecast)
 {
   if (forecast.members == 0)
@@ -52,9 +67,11 @@ std::string forecastText(const TetherForecast& forecast)
   text += percent("over-tension", forecast.probability_over_tension);
   if (std::isfinite(forecast.time_to_limit))
     text += number(" in %.0f s", forecast.time_to_limit);
-  text += percent(", breaking", forecast.probability_breaking) + percent(", slack", forecast.probability_slack);
-  if (std::isfinite(forecast.recommended_payout_rate))
-    text += number("\nsafe: pay out %.2f m/s or more", forecast.recommended_payout_rate);
+  text += percent("\nbreaking", forecast.probability_breaking) + percent(", slack", forecast.probability_slack);
+  const double rate = forecast.recommended_payout_rate;
+  if (std::isfinite(rate))
+    text += rate > 0.0 ? number("\nsafe: paying out %.2f m/s or more", rate)
+                       : number("\nsafe: hauling in up to %.2f m/s", -rate);
   if (std::isfinite(forecast.recommended_vessel_speed))
     text += number("\nsafe: vessel at %.1f m/s or less", forecast.recommended_vessel_speed);
   return text;

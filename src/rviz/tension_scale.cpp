@@ -11,7 +11,7 @@ namespace tether_monitor
 {
 namespace
 {
-constexpr int HEIGHT = 56, BAR_TOP = 14, BAR_HEIGHT = 16, MARGIN = 12, LABEL_WIDTH = 80;  // [pixels]
+constexpr int HEIGHT = 56, BAR_TOP = 14, BAR_HEIGHT = 16, MARGIN = 24, LABEL_WIDTH = 46;  // [pixels]
 constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
@@ -52,12 +52,8 @@ void TensionScale::paintEvent(QPaintEvent* /*event*/)
   {
     const int x = place(share);
     painter.drawLine(x, BAR_TOP + BAR_HEIGHT, x, BAR_TOP + BAR_HEIGHT + 4);
-    const int left = std::clamp(x - LABEL_WIDTH / 2, 0, std::max(width() - LABEL_WIDTH, 0));
-    const Qt::Alignment side = share == 0.0 ? Qt::AlignLeft : share == 1.0 ? Qt::AlignRight : Qt::AlignHCenter;
-    const QString text = share == 1.0 ? QString("working load") : QString("%1 %").arg(100.0 * share);
-    painter.drawText(
-        QRect(share == 1.0 ? x - LABEL_WIDTH / 2 : left, BAR_TOP + BAR_HEIGHT + 4, LABEL_WIDTH + 20, 18),
-        share == 1.0 ? Qt::AlignLeft : side, text);
+    painter.drawText(QRect(x - LABEL_WIDTH / 2, BAR_TOP + BAR_HEIGHT + 4, LABEL_WIDTH, 18), Qt::AlignHCenter,
+                     QString("%1 %").arg(100.0 * share));
   }
   if (!std::isfinite(reading_.largest))
     return;

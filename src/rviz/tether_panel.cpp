@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <thread>
 #include <utility>
 
@@ -96,6 +95,7 @@ void TetherPanel::layOut()
   for (const auto& [name, label] : rows)
     form->addRow(name, *label = readout(name));
   layout->addLayout(form);
+  layout->addWidget(new QLabel("tension over the working load, and its colours"));
   scale_ = new TensionScale;
   layout->addWidget(scale_);
   table_ = new AlarmTable;
@@ -158,22 +158,10 @@ void TetherPanel::show(const TetherState& state)
   const bool has_numbers = std::isfinite(state.max_tension);
   const auto set = [&](QLabel* label, const std::string& text)
   { label->setText(QString::fromStdString(has_numbers ? text : "unknown")); };
-  char text[100];
-  std::snprintf(text, sizeof(text), "%s, %.0f %% of working load, at %.3g m",
-                bandText(state.max_tension, NAN, NAN).c_str(), 100.0 * state.working_utilisation,
-                state.max_tension_s);
-  set(largest_, text);
+  set(largest_, largestText(state));
   set(vessel_, bandText(state.vessel_tension, state.vessel_tension_p05, state.vessel_tension_p95));
   set(vehicle_, bandText(state.vehicle_tension, state.vehicle_tension_p05, state.vehicle_tension_p95));
-  std::snprintf(text, sizeof(text), "%.4g m", state.length);
-  std::string length = text;
-  if (std::isfinite(state.payout_rate) && std::abs(state.payout_rate) >= 0.005)
-  {
-    std::snprintf(text, sizeof(text), ", %s %.2f m/s", state.payout_rate > 0.0 ? "out" : "in",
-                  std::abs(state.payout_rate));
-    length += text;
-  }
-  set(length_, length);
+  set(length_, lengthText(state));
   const double per_newton = state.working_utilisation / state.max_tension;
   const double p05 = std::fmax(state.vessel_tension_p05, state.vehicle_tension_p05);
   scale_->show({state.working_utilisation, per_newton * p05, per_newton * state.max_tension_p95});

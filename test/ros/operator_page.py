@@ -113,7 +113,8 @@ class PlayedMonitor:
         times = [0.5 * k for k in range(1, 61)]
         forecast = TetherForecast(time=times, max_tension=[4600.0 + 20 * x for x in times], max_tension_p05=[4300.0] * 60,
                                   max_tension_p95=[4900.0 + 40 * x for x in times], horizon=30.0, probability_over_tension=0.62,
-                                  probability_slack=0.01, time_to_limit=12.0, members=96, recommended_vessel_speed=0.7)
+                                  probability_slack=0.01, time_to_limit=12.0, members=96, recommended_vessel_speed=0.7,
+                                  position=[Point(p.x + 30.0, p.y, p.z) for p in state_at(self.t).position])
         forecast.header.stamp = stamp
         self.forecast.publish(forecast)
         alarms = AlarmArray(alarms=[
@@ -284,6 +285,7 @@ class OperatorPage(unittest.TestCase):
             self.assertTrue(page.wait_for("document.getElementById('inputs').textContent.includes('vehicle/pose')"))
             self.assertTrue(page.wait_for("document.querySelectorAll('#plan .fix').length === 5"))
             self.assertEqual(page.value("document.querySelectorAll('#elevation .obstacle').length"), 1)
+            self.assertEqual(page.value("document.querySelectorAll('#plan .ghost, #elevation .ghost').length"), 2)
             page.value("document.getElementById('key').value = %s" % json.dumps(KEY))
             before = len(self.monitor.actions)
             page.value("document.querySelector('button[data-action=acknowledge]').click()")

@@ -31,6 +31,21 @@ TEST(PanelText, ABandIsSaidWhereItIsKnown)
   EXPECT_EQ(bandText(NONE, NONE, NONE), "unknown");
 }
 
+TEST(PanelText, OfTensionAndLength)
+{
+  TetherState state;
+  state.max_tension = 4540.0;
+  state.max_tension_s = 120.0;
+  state.working_utilisation = 0.454;
+  EXPECT_EQ(largestText(state), "4.54 kN at 120 m\n45 % of working load");
+  state.length = 253.46;
+  EXPECT_EQ(lengthText(state), "253.5 m");
+  state.payout_rate = NONE;
+  EXPECT_EQ(lengthText(state), "253.5 m");
+  state.payout_rate = 0.3;
+  EXPECT_EQ(lengthText(state), "253.5 m, out 0.30 m/s");
+}
+
 TEST(PanelText, OfAForecast)
 {
   TetherForecast forecast;
@@ -44,7 +59,9 @@ TEST(PanelText, OfAForecast)
   forecast.recommended_payout_rate = 0.35;
   forecast.recommended_vessel_speed = NONE;
   EXPECT_EQ(forecastText(forecast),
-            "next 30 s: over-tension 62 % in 14 s, breaking 0 %, slack 3 %\nsafe: pay out 0.35 m/s or more");
+            "next 30 s: over-tension 62 % in 14 s\nbreaking 0 %, slack 3 %\nsafe: paying out 0.35 m/s or more");
+  forecast.recommended_payout_rate = -0.5;
+  EXPECT_NE(forecastText(forecast).find("safe: hauling in up to 0.50 m/s"), std::string::npos);
 }
 
 TEST(PanelText, AlarmsThatArePutAsideAreNotShown)

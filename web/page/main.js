@@ -97,7 +97,7 @@ function draw() {
   drawInputs(state, latest.inputs);
   alarms.draw(known, state.t);
   chart.draw(state, latest.forecast, limits);
-  views.forEach((view) => view.draw(state, latest.scene, isNight));
+  views.forEach((view) => view.draw(state, latest.scene, isNight, latest.forecast));
 }
 
 // Silence is as grave as anything. Also called with every message: timers of a page in the background are slow.

@@ -3,6 +3,7 @@ import { add, axes, canvas, legend } from "./svg.js";
 import { tick } from "./units.js";
 
 const STDDEVS = 2;
+const LONGEST_FORECAST = 5;  // after its time that it is drawn [s]
 const SIDES = 16;  // of an ellipse
 // Light to dark with the share of the working load, the colour of a limit beyond it.
 const RAMP = ["#9ecae1", "#4a90c4", "#225ea8", "#2b2f77"];
@@ -59,7 +60,8 @@ export class ShapeView {
     this.extent = null;
     const place = section.querySelector(".legend");
     if (place) legend(place, [["linear-gradient(90deg," + RAMP.join(",") + ")", "tension, 0 to the working load"], ["var(--limit)", "above it"],
-      ["var(--tube)", "may be here (2 standard deviations)"], ["var(--fix)", "measured fixes"]]);
+      ["var(--tube)", "may be here (2 standard deviations)"], ["var(--fix)", "measured fixes"],
+      ["var(--forecast)", "at the end of the forecast"]]);
   }
 
   // What is shown grows at once and shrinks slowly, so that the picture does not breathe with the waves.
@@ -78,7 +80,7 @@ export class ShapeView {
     return this.extent;
   }
 
-  draw(state, scene, isNight) {
+  draw(state, scene, isNight, forecast) {
     const picture = canvas(this.place);
     if (!picture || !state || state.position.length < 2) return;
     const { svg, width, height } = picture;
@@ -88,7 +90,9 @@ export class ShapeView {
     const spreads = state.position_stddev.map((sd) => this.view.spread(sd.map((value) => STDDEVS * (value || 0)), u));
     const tube = spreads.map((spread, k) => ellipse(line[k], spread));
     const fixes = this.fixes(scene, flat, u);
-    const extent = this.bounds(line.concat(...tube));
+    const isFresh = forecast && forecast.position && Math.abs(state.t - forecast.t) < LONGEST_FORECAST;
+    const ghost = isFresh ? forecast.position.map(flat) : [];
+    const extent = this.bounds(line.concat(ghost, ...tube));
     const box = { left: 62, right: width - 24, top: 10, bottom: height - 30 };
     const scale = Math.min((box.right - box.left) / Math.max(1.1 * (extent[1] - extent[0]), 2), (box.bottom - box.top) / Math.max(1.1 * (extent[3] - extent[2]), 2));
     const middle = [(extent[0] + extent[1]) / 2, (extent[2] + extent[3]) / 2];
@@ -110,6 +114,7 @@ export class ShapeView {
       add(pen, "path", { class: "obstacle", d: polygon(d3.geom.hull(outline(marker).map(flat))) });
     // One path, so that what overlaps is no darker.
     add(pen, "path", { class: "tube", d: tube.map((points, k) => polygon(d3.geom.hull(k ? points.concat(tube[k - 1]) : points))).join("") });
+    if (ghost.length > 1) add(pen, "path", { class: "ghost", d: "M" + ghost.map(([a, b]) => x(a).toFixed(1) + "," + y(b).toFixed(1)).join("L") });
     for (let k = 1; k < line.length; ++k) {
       const share = state.max_tension > 0 && state.working_utilisation > 0
         ? 0.5 * (state.tension[k - 1] + state.tension[k]) * state.working_utilisation / state.max_tension : 0;

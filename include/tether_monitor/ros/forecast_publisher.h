@@ -19,8 +19,8 @@ namespace tether_monitor
 TetherForecast toMessage(const std_msgs::Header& header, const monitor::TetherForecast& forecast);
 
 /**
- * **Publishes** (private) forecast. **Service** (private): what_if. Both work in threads of their own; the cycle
- * only hands over a copy once a second.
+ * **Publishes** (private) forecast. **Service** (private): what_if. Both work in
+ * threads of their own; the cycle only hands over a copy once a second.
  */
 class ForecastPublisher
 {
@@ -35,6 +35,8 @@ class ForecastPublisher
   ForecastBudget budget() const { return thread_.budget(); }
   /// Of over-tension, as the last forecast has it; NaN if it is old at time t [s], or there is none.
   double probability(double t) const;
+  /// Where the tether will be, as the last forecast has it; none if it is old at this stamp, or there is none.
+  std::vector<core::Vector3> position(const ros::Time& stamp) const;
 
  private:
   void publish(const monitor::TetherForecast& forecast);
@@ -50,6 +52,7 @@ class ForecastPublisher
   TimeOrigin time_;                                    // guarded by mutex_
   ForecastThread::Start latest_;                       // likewise
   double probability_t_ = -1e300, probability_ = 0.0;  // likewise; of the last forecast
+  std::vector<core::Vector3> position_;                // likewise
   double last_empty_ = -1e300;                         // [s]
   ros::ServiceServer service_;
   ForecastThread thread_;

@@ -3,6 +3,8 @@
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <vector>
+
 #include "tether_monitor/monitor/estimator/tether_estimator.h"
 #include "tether_monitor/ros/recent_fixes.h"
 
@@ -20,5 +22,9 @@ std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
  */
 visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,
                                         const RecentFixes& fixes);
+
+/// Where the tether will be ("forecast"): a pale line; deleted where there are no stations.
+visualization_msgs::Marker forecastLine(const std_msgs::Header& header,
+                                        const std::vector<core::Vector3>& stations);
 
 }  // namespace tether_monitor

@@ -47,6 +47,7 @@ class MonitorNode
   void addDiagnostics();
   std::vector<std::string> reconfigure(const monitor::Config& config);
   void cycle(double lateness);
+  visualization_msgs::MarkerArray picture(const std_msgs::Header& header);
   void updateVibration();
   void updateSurroundings();
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -67,9 +68,9 @@ class MonitorNode
   ros::Timer tick_timer_;
   ros::WallTimer diagnostics_timer_;
   ros::WallTime last_vibration_, last_reset_;
+  ForecastPublisher forecast_;  // outlives what draws it
   OutputPublisher publisher_;
   PublishingThread publishing_;
-  ForecastPublisher forecast_;
   CycleThread cycles_;
   LiveSettingsServer settings_;
 };

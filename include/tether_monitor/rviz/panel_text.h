@@ -14,6 +14,12 @@ std::string estimateText(const TetherState& state);
 /// "4.54 kN", with its 5 and 95 % quantiles where they are known: "4.54 kN (3.91 kN to 5.3 kN)".
 std::string bandText(double tension, double p05, double p95);
 
+/// The largest tension, where it is, and what it is of the working load.
+std::string largestText(const TetherState& state);
+
+/// Deployed length, and how it changes: "250 m, in 0.20 m/s".
+std::string lengthText(const TetherState& state);
+
 /// What the next seconds are likely to bring, and what would keep the tether below its limit.
 std::string forecastText(const TetherForecast& forecast);
 

@@ -8,10 +8,17 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr std::array<double, 8> BOUNDS{0.0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 1.0};
-constexpr double CALM = 10.0;          // [s] below the limit that separate two events
-constexpr double WARNING = 0.5;        // probability
-constexpr double EARLY = 10.0;         // [s] ahead
-constexpr double LONGEST_PAUSE = 3.0;  // [s] in a warning that stands
+constexpr double CALM = 10.0;                              // [s] below the limit that separate two events
+constexpr std::array<double, 3> WARNINGS{0.5, 0.8, 0.95};  // probabilities
+constexpr double EARLY = 10.0;                             // [s] ahead
+constexpr double LONGEST_PAUSE = 3.0;                      // [s] in a warning that stands
+
+double medianOf(std::vector<double> x)
+{
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return x.empty() ? TetherForecast::NONE : *middle;
+}
 
 std::size_t classOf(double probability)
 {
@@ -44,74 +51,98 @@ void ForecastScore::add(const ForecastScore& other)
   others_.insert(others_.end(), other.others_.begin(), other.others_.end());
 }
 
-ForecastScore::Sums ForecastScore::evaluate() const
+double ForecastScore::nextOver(double t) const
 {
-  Sums sums;
-  const auto nextOf = [](const std::vector<double>& times, double t)
-  {
-    const auto next = std::upper_bound(times.begin(), times.end(), t);
-    return next == times.end() ? 1e300 : *next;
-  };
-  double spell_began = -1.0, spell_ended = -1e300, horizon = 0.0;
-  const auto endSpell = [&]
-  {
-    if (spell_began < 0.0)
-      return;
-    const bool came = nextOf(over_times_, spell_began) <= spell_ended + horizon;
-    const bool is_known = came || now_ >= spell_began + horizon;
-    sums.warnings += is_known;
-    sums.false_warnings += is_known && !came;
-    spell_began = -1.0;
-  };
+  const auto next = std::upper_bound(over_times_.begin(), over_times_.end(), t);
+  return next == over_times_.end() ? 1e300 : *next;
+}
+
+void ForecastScore::countForecasts(Sums& sums) const
+{
   for (const Made& made : made_)
   {
-    if (made.t - spell_ended > CALM)
-      endSpell();
-    const bool is_warning = !made.was_estimate_over && made.probability >= WARNING;
-    if (is_warning && spell_began < 0.0)
-      spell_began = made.t;
-    if (is_warning || made.was_estimate_over)
-    {
-      spell_ended = made.t;
-      horizon = made.horizon;
-    }
-    if (made.was_estimate_over)
+    if (made.was_estimate_over || made.t + made.horizon > now_)
       continue;
-    if (made.t + made.horizon > now_)
-      continue;
-    const bool came = nextOf(over_times_, made.t) <= made.t + made.horizon;
+    const bool came = nextOver(made.t) <= made.t + made.horizon;
     const std::size_t k = classOf(made.probability);
     ++sums.forecasts[k];
     sums.came_true[k] += came;
     sums.probability[k] += made.probability;
     sums.square += std::pow(made.probability - (came ? 1.0 : 0.0), 2);
   }
+}
+
+void ForecastScore::countWarnings(double probability, WarningSums& sums) const
+{
+  double began = -1.0, ended = -1e300, horizon = 0.0;
+  const auto endSpell = [&]
+  {
+    if (began < 0.0)
+      return;
+    const bool came = nextOver(began) <= ended + horizon;
+    const bool is_known = came || now_ >= began + horizon;
+    sums.warnings += is_known;
+    sums.false_warnings += is_known && !came;
+    began = -1.0;
+  };
+  for (const Made& made : made_)
+  {
+    if (made.t - ended > CALM)
+      endSpell();
+    const bool is_warning = !made.was_estimate_over && made.probability >= probability;
+    if (is_warning && began < 0.0)
+      began = made.t;
+    if (is_warning || made.was_estimate_over)
+    {
+      ended = made.t;
+      horizon = made.horizon;
+    }
+  }
   endSpell();
-  // An event that comes before there was any time to warn of it is none to be warned of.
+}
+
+bool ForecastScore::couldBeKnown(double onset) const
+{
+  return std::any_of(made_.begin(), made_.end(),
+                     [&](const Made& made)
+                     {
+                       const double ahead = onset - made.t;
+                       return !made.was_over && ahead >= EARLY && ahead <= made.horizon;
+                     });
+}
+
+double ForecastScore::leadTime(double onset, double probability) const
+{
+  double first = onset;
+  for (auto made = made_.rbegin(); made != made_.rend(); ++made)
+  {
+    if (made->t >= onset || made->was_over)
+      continue;
+    if (first - made->t > LONGEST_PAUSE || onset - made->t > made->horizon)
+      break;
+    if (made->probability >= probability || made->was_estimate_over)
+      first = made->t;
+  }
+  return onset - first;
+}
+
+ForecastScore::Sums ForecastScore::evaluate() const
+{
+  Sums sums;
+  countForecasts(sums);
+  for (std::size_t k = 0; k < WARNINGS.size(); ++k)
+    countWarnings(WARNINGS[k], sums.warnings[k]);
   for (const double onset : onsets_)
   {
-    const bool could = std::any_of(made_.begin(), made_.end(),
-                                   [&](const Made& made)
-                                   {
-                                     const double ahead = onset - made.t;
-                                     return !made.was_over && ahead >= EARLY && ahead <= made.horizon;
-                                   });
-    if (!could)
+    if (!couldBeKnown(onset))
       continue;
-    double first = onset, last = onset;
-    for (auto made = made_.rbegin(); made != made_.rend(); ++made)
-    {
-      if (made->t >= onset || made->was_over)
-        continue;
-      if (last - made->t > LONGEST_PAUSE || onset - made->t > made->horizon)
-        break;
-      if (made->probability < WARNING && !made->was_estimate_over)
-        continue;
-      first = last = made->t;
-    }
     ++sums.events;
-    sums.warned += onset - first >= EARLY;
-    sums.lead.push_back(onset - first);
+    for (std::size_t k = 0; k < WARNINGS.size(); ++k)
+    {
+      const double lead = leadTime(onset, WARNINGS[k]);
+      sums.warnings[k].warned += lead >= EARLY;
+      sums.warnings[k].lead.push_back(lead);
+    }
   }
   return sums;
 }
@@ -132,10 +163,14 @@ ForecastScore::Result ForecastScore::result() const
     }
     total.square += sums.square;
     r.events += sums.events;
-    r.warned += sums.warned;
-    r.warnings += sums.warnings;
-    r.false_warnings += sums.false_warnings;
-    total.lead.insert(total.lead.end(), sums.lead.begin(), sums.lead.end());
+    for (std::size_t k = 0; k < WARNINGS.size(); ++k)
+    {
+      WarningSums& w = total.warnings[k];
+      w.warned += sums.warnings[k].warned;
+      w.warnings += sums.warnings[k].warnings;
+      w.false_warnings += sums.warnings[k].false_warnings;
+      w.lead.insert(w.lead.end(), sums.warnings[k].lead.begin(), sums.warnings[k].lead.end());
+    }
   }
   long forecasts = 0;
   for (std::size_t k = 0; k + 1 < BOUNDS.size(); ++k)
@@ -146,11 +181,10 @@ ForecastScore::Result ForecastScore::result() const
                              static_cast<double>(total.came_true[k]) / n});
   }
   r.brier_score = total.square / static_cast<double>(std::max(forecasts, 1L));
-  if (!total.lead.empty())
+  for (std::size_t k = 0; k < WARNINGS.size(); ++k)
   {
-    const auto middle = total.lead.begin() + static_cast<std::ptrdiff_t>(total.lead.size() / 2);
-    std::nth_element(total.lead.begin(), middle, total.lead.end());
-    r.median_lead_time = *middle;
+    const WarningSums& w = total.warnings[k];
+    r.warnings.push_back({WARNINGS[k], w.warned, medianOf(w.lead), w.warnings, w.false_warnings});
   }
   return r;
 }

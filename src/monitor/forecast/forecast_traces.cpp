@@ -77,6 +77,7 @@ void ForecastTraces::begin(int members, double horizon, double interval)
   to_warning_ = to_limit_ = to_slack_ = Row::Constant(members, NEVER);
   peak_ = Row::Constant(members, -NEVER);
   place_ = Row::Zero(members);
+  last_.assign(static_cast<std::size_t>(members), {});
 }
 
 void ForecastTraces::add(int member, double after, const TetherEstimate& e, const ForecastLimits& limits)
@@ -142,6 +143,7 @@ void ForecastTraces::summarize(TetherForecast& f) const
     {
       nearest = std::abs(peak_[i] - median);
       f.place_s = place_[i];
+      f.position = last_[i];
     }
 }
 

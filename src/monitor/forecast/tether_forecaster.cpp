@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tether_monitor/monitor/ensemble/ensemble_members.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
@@ -165,9 +167,13 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
       // It parts; what would come after is no number.
       for (int later = k + 1; later <= steps; ++later)
         traces_.add(index, STEP * later, estimate_, limits_);
-      return true;
+      break;
     }
   }
+  std::vector<core::Vector3> stations = estimate_.stations.position;
+  for (core::Vector3& station : stations)
+    station += origin;
+  traces_.finish(index, std::move(stations));
   return true;
 }
 

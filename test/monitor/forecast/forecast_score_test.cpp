@@ -29,10 +29,10 @@ TEST(ForecastScore, OneThatKnowsIsPerfect)
 {
   const ForecastScore::Result r = record([](int t) { return t % 100 >= 70 ? 1.0 : 0.0; }).result();
   EXPECT_EQ(r.events, 36);
-  EXPECT_EQ(r.warned, 36);
-  EXPECT_EQ(r.false_warnings, 0);
+  EXPECT_EQ(r.warnings[0].warned, 36);
+  EXPECT_EQ(r.warnings[0].false_warnings, 0);
   EXPECT_DOUBLE_EQ(r.brier_score, 0.0);
-  EXPECT_DOUBLE_EQ(r.median_lead_time, 30.0);
+  EXPECT_DOUBLE_EQ(r.warnings[0].median_lead_time, 30.0);
   EXPECT_DOUBLE_EQ(r.reliability.front().observed, 0.0);
   EXPECT_DOUBLE_EQ(r.reliability.back().observed, 1.0);
 }
@@ -40,14 +40,22 @@ TEST(ForecastScore, OneThatKnowsIsPerfect)
 TEST(ForecastScore, OneThatIsLateOrCriesWolf)
 {
   const ForecastScore::Result late = record([](int t) { return t % 100 >= 95 ? 1.0 : 0.0; }).result();
-  EXPECT_EQ(late.warned, 0);
-  EXPECT_DOUBLE_EQ(late.median_lead_time, 5.0);
+  EXPECT_EQ(late.warnings[0].warned, 0);
+  EXPECT_DOUBLE_EQ(late.warnings[0].median_lead_time, 5.0);
   EXPECT_NEAR(late.reliability.front().observed, 25.0 / 94.0, 0.01);
+  const ForecastScore::Result unsure =
+      record([](int t) { return t % 100 >= 70                   ? 0.9
+                                : t % 100 >= 20 && t % 100 < 30 ? 0.6
+                                                                : 0.0; }).result();
+  EXPECT_EQ(unsure.warnings[0].false_warnings, 36);
+  EXPECT_EQ(unsure.warnings[1].warned, 36);
+  EXPECT_EQ(unsure.warnings[1].false_warnings, 0);
+  EXPECT_EQ(unsure.warnings[2].warned, 0);
   const ForecastScore::Result wolf =
       record([](int t) { return t % 100 >= 20 && t % 100 < 30 ? 1.0 : 0.0; }).result();
-  EXPECT_EQ(wolf.warnings, 36);
-  EXPECT_EQ(wolf.false_warnings, 36);
-  EXPECT_EQ(wolf.warned, 0);
+  EXPECT_EQ(wolf.warnings[0].warnings, 36);
+  EXPECT_EQ(wolf.warnings[0].false_warnings, 36);
+  EXPECT_EQ(wolf.warnings[0].warned, 0);
 }
 
 // Half of a hundred tethers are past a limit that the estimate is just below, and nobody knows which: each
@@ -72,8 +80,8 @@ TEST(ForecastScore, WhatNobodyKnowsDoesNotChooseTheForecasts)
   }
   const ForecastScore::Result r = all.result();
   EXPECT_NEAR(r.reliability[3].observed, 0.5, 1e-9);
-  EXPECT_EQ(r.warnings, 100);
-  EXPECT_EQ(r.false_warnings, 50);
+  EXPECT_EQ(r.warnings[0].warnings, 100);
+  EXPECT_EQ(r.warnings[0].false_warnings, 50);
 }
 
 TEST(ForecastScore, AnHonestDoubtIsReliable)
@@ -86,6 +94,7 @@ TEST(ForecastScore, AnHonestDoubtIsReliable)
   both.add(score);
   both.add(score);
   EXPECT_EQ(both.result().events, 2 * r.events);
+  EXPECT_EQ(both.result().warnings[0].warnings, 0);
   EXPECT_NEAR(both.result().brier_score, r.brier_score, 1e-12);
 }
 }  // namespace tether_monitor::monitor

@@ -27,8 +27,11 @@ TEST(ForecastTraces, SharesTimesAndQuantiles)
   ForecastTraces traces;
   traces.begin(20, 10.0, 0.5);
   for (int k = 0; k < 20; ++k)
+  {
     for (int i = 1; i <= 50; ++i)
       traces.add(k, 0.2 * i, tension(100.0 * (k + 1) * i / 50.0, k), limits);
+    traces.finish(k, {core::Vector3(k, 0.0, 0.0)});
+  }
   TetherForecast f;
   traces.summarize(f);
   ASSERT_EQ(f.time.size(), 20u);
@@ -46,6 +49,8 @@ TEST(ForecastTraces, SharesTimesAndQuantiles)
   EXPECT_LT(f.time_to_warning, f.time_to_limit);
   EXPECT_TRUE(std::isnan(f.time_to_slack));
   EXPECT_NEAR(f.place_s, 9.5, 0.6) << "that of a median member";
+  ASSERT_EQ(f.position.size(), 1u);
+  EXPECT_EQ(f.position[0].x(), f.place_s) << "of the same member";
 }
 
 TEST(ForecastTraces, MembersThatAreLostDoNotCount)

@@ -222,6 +222,10 @@ TEST(TetherForecaster, MembersOfAnEnsembleGoOn)
   EXPECT_EQ(f.members, 64);
   EXPECT_NEAR(f.vessel_tension.front(), e.vessel_tension, 2.0 * e.vessel_tension_stddev);
   EXPECT_GT(f.max_tension_p95.front() - f.max_tension_p05.front(), e.vessel_tension_stddev);
+  const TetherEstimate later = fixture.run(HORIZON);
+  ASSERT_EQ(f.position.size(), later.stations.position.size());
+  EXPECT_LT((f.position.front() - later.stations.position.front()).norm(), 3.0);
+  EXPECT_LT((f.position.back() - later.stations.position.back()).norm(), 5.0);
 }
 
 TEST(TetherForecaster, TheSameStartGivesTheSameForecast)

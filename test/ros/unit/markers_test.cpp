@@ -25,6 +25,17 @@ TEST(Markers, KeepTheirIdsAndAreDeletedWhileInvalid)
   EXPECT_EQ(valid.markers[0].points.size(), valid.markers[0].colors.size());
 }
 
+TEST(Markers, ALineOfTheForecastIsThereOrDeleted)
+{
+  const visualization_msgs::Marker line =
+      forecastLine(std_msgs::Header(), {{0.0, 0.0, 0.0}, {3.0, 4.0, 0.0}, {3.0, 4.0, -5.0}});
+  EXPECT_EQ(line.action, visualization_msgs::Marker::ADD);
+  ASSERT_EQ(line.points.size(), 3u);
+  EXPECT_EQ(line.points[2].z, -5.0);
+  EXPECT_GT(line.scale.x, 0.0);
+  EXPECT_EQ(forecastLine(std_msgs::Header(), {}).action, visualization_msgs::Marker::DELETE);
+}
+
 TEST(UtilisationColour, GoesFromGreenOverYellowToRed)
 {
   EXPECT_GT(utilisationColour(0.0, 0.8).g, 0.7);

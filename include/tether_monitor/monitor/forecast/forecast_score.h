@@ -25,16 +25,21 @@ class ForecastScore
     double mean_probability = 0.0;  ///< of these [-].
     double observed = 0.0;          ///< share of them that came true [-].
   };
+  /// What comes of warning from a probability on.
+  struct Warnings
+  {
+    double probability = 0.0;                        ///< that a warning takes, at least.
+    long warned = 0;                                 ///< events with one (or the alarm) ten seconds or more ahead.
+    double median_lead_time = TetherForecast::NONE;  ///< from the first such forecast to the event [s].
+    long warnings = 0;                               ///< spells of such forecasts, ten seconds or more apart.
+    long false_warnings = 0;  ///< of these, where nothing came within a horizon of their end, or of the record.
+  };
   struct Result
   {
     std::vector<Reliability> reliability;
     double brier_score = 0.0;  ///< mean square of probability less outcome; 0 is perfect.
     long events = 0;
-    long warned =
-        0;  ///< events with a probability of at least one half (or the alarm), ten seconds or more ahead.
-    double median_lead_time = TetherForecast::NONE;  ///< from the first such forecast to the event [s].
-    long warnings = 0;                               ///< spells of such forecasts, ten seconds or more apart.
-    long false_warnings = 0;  ///< of these, where nothing came within a horizon of their end, or of the record.
+    std::vector<Warnings> warnings;  ///< from probabilities of 0.5, 0.8, 0.95 on.
   };
 
   /// Whether the tether is past the limit at time t [s]; in order of time.
@@ -53,14 +58,26 @@ class ForecastScore
     bool was_over, was_estimate_over;
   };
 
+  struct WarningSums
+  {
+    long warned = 0, warnings = 0, false_warnings = 0;
+    std::vector<double> lead;
+  };
   struct Sums
   {
     std::array<long, 7> forecasts{}, came_true{};
     std::array<double, 7> probability{};
     double square = 0.0;
-    long events = 0, warned = 0, warnings = 0, false_warnings = 0;
-    std::vector<double> lead;
+    long events = 0;
+    std::array<WarningSums, 3> warnings;
   };
+  double nextOver(double t) const;
+  void countForecasts(Sums& sums) const;
+  /// Spells of warnings, and which of them were false.
+  void countWarnings(double probability, WarningSums& sums) const;
+  /// True if there was a forecast ten seconds or more ahead: else an event is none to be warned of.
+  bool couldBeKnown(double onset) const;
+  double leadTime(double onset, double probability) const;
   Sums evaluate() const;
 
   std::vector<Made> made_;

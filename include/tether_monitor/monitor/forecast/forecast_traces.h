@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "tether_monitor/monitor/config/config.h"
 #include "tether_monitor/monitor/estimate/tether_estimate.h"
@@ -28,6 +29,8 @@ class ForecastTraces
   void begin(int members, double horizon, double interval);
   /// Notes a member's tether at `after` [s] from the beginning; in order of time for each member.
   void add(int member, double after, const TetherEstimate& e, const ForecastLimits& limits);
+  /// Notes where a member's tether is at the end. @param stations  world [m].
+  void finish(int member, std::vector<core::Vector3> stations) { last_[member] = std::move(stations); }
   /// Leaves a member out, whose tether could not be stepped.
   void drop(int member) { alive_[member] = 0; }
   /// True if the member has come to the limit of over-tension.
@@ -47,6 +50,7 @@ class ForecastTraces
   Eigen::Array<bool, Eigen::Dynamic, 1> alive_, breaks_;
   Row to_warning_, to_limit_, to_slack_;  // [s]; infinite: never
   Row peak_, place_;                      // largest tension [N] and where [m]
+  std::vector<std::vector<core::Vector3>> last_;
 };
 
 }  // namespace tether_monitor::monitor

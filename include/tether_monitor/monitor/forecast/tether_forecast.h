@@ -3,6 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "tether_monitor/core/base/types.h"
+
 namespace tether_monitor::monitor
 {
 /// The next seconds of a tether: medians and quantiles over its members, (F2) of doc/theory/forecast.md. Vectors
@@ -30,6 +32,7 @@ struct TetherForecast
   double time_to_warning = NONE, time_to_limit = NONE, time_to_slack = NONE;
   double time_to_limit_p05 = NONE;  ///< time by which one in twenty is at the limit [s]; NaN if fewer ever are.
   double place_s = NONE;            ///< where along the tether the largest tension of a median member is [m].
+  std::vector<core::Vector3> position;  ///< stations of that member's tether at the end of the horizon, world [m].
 
   double recommended_vessel_speed =
       NONE;  ///< largest along the present way with which P(over-tension) < 5 % [m/s].
