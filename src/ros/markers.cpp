@@ -153,11 +153,13 @@ Marker statusText(const std_msgs::Header& header, const monitor::Config& config,
   m.pose.position = pointMessage(core::Vector3(at.x(), at.y(), top + 0.15 * L));
   m.text = estimateText(e) + tensionText(e);
   m.color = e.status == monitor::Status::OK ? colour(0.9, 0.95, 0.9) : colour(1.0, 0.8, 0.2);
+  monitor::Severity gravest = monitor::Severity::WARNING;
   for (const monitor::Alarm& alarm : alarms.alarms())
     if (alarm.isAnnunciated())
     {
+      gravest = std::max(gravest, alarm.definition().severity);
       m.text += "\n" + alarm.definition().name + ": " + describe(alarm.state());
-      m.color = colour(1.0, 0.35, 0.3);
+      m.color = gravest == monitor::Severity::WARNING ? colour(1.0, 0.8, 0.2) : colour(1.0, 0.35, 0.3);
     }
   return m;
 }

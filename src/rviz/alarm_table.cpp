@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "tether_monitor/rviz/panel_text.h"
@@ -12,13 +11,6 @@ namespace tether_monitor
 namespace
 {
 constexpr int NAME = 0, STATE = 1, VALUE = 2, PEAK = 3, COLUMNS = 4;
-
-QString valueText(double value, const std::string& unit)
-{
-  if (std::isnan(value))
-    return "not known";
-  return QString("%1 %2").arg(value, 0, 'g', 3).arg(QString::fromStdString(unit));
-}
 
 QColor colourOf(const Alarm& alarm)
 {
@@ -58,7 +50,8 @@ void AlarmTable::show(const AlarmArray& alarms)
     const Alarm& alarm = shown[static_cast<std::size_t>(row)];
     const QString texts[COLUMNS] = {QString::fromStdString(alarm.name) + (alarm.first_out ? " (first)" : ""),
                                     QString::fromStdString(alarmStateText(alarm)),
-                                    valueText(alarm.value, alarm.unit), valueText(alarm.peak, alarm.unit)};
+                                    QString::fromStdString(alarmValueText(alarm.value, alarm.unit)),
+                                    QString::fromStdString(alarmValueText(alarm.peak, alarm.unit))};
     for (int column = 0; column < COLUMNS; ++column)
     {
       auto* item = new QTableWidgetItem(texts[column]);  // the table owns it

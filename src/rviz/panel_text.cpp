@@ -84,6 +84,17 @@ std::string alarmStateText(const Alarm& alarm)
   return describe(static_cast<monitor::AlarmState>(alarm.state));
 }
 
+std::string alarmValueText(double value, const std::string& unit)
+{
+  if (std::isnan(value))
+    return "not known";
+  if (unit.rfind("fraction", 0) == 0)
+    return number("%.0f %%", 100.0 * value);
+  if (unit == "N")
+    return forceText(value);
+  return number("%.3g ", value) + unit;
+}
+
 bool isShown(const Alarm& alarm)
 {
   return alarm.state >= Alarm::UNACKNOWLEDGED && alarm.state <= Alarm::LATCHED;

@@ -25,6 +25,7 @@ namespace
 {
 constexpr double STALE = 2.0, FORECAST_STALE = 5.0;  // [s], wall clock
 constexpr int PERIOD = 500;                          // [ms]
+constexpr int NARROWEST = 400;                       // [pixels]
 const char* const USUAL_NODE = "/tether_monitor";
 
 QLabel* readout(const char* name)
@@ -83,6 +84,7 @@ TetherPanel::TetherPanel(QWidget* parent) : rviz::Panel(parent)
 
 void TetherPanel::layOut()
 {
+  setMinimumWidth(NARROWEST);
   auto* layout = new QVBoxLayout(this);
   status_ = readout("status");
   layout->addWidget(status_);

@@ -64,6 +64,14 @@ TEST(PanelText, OfAForecast)
   EXPECT_NE(forecastText(forecast).find("safe: hauling in up to 0.50 m/s"), std::string::npos);
 }
 
+TEST(PanelText, OfAValueOfAnAlarm)
+{
+  EXPECT_EQ(alarmValueText(NONE, "m"), "not known");
+  EXPECT_EQ(alarmValueText(0.764, "fraction of working_load"), "76 %");
+  EXPECT_EQ(alarmValueText(1234.0, "N"), "1.23 kN");
+  EXPECT_EQ(alarmValueText(0.5, "m"), "0.5 m");
+}
+
 TEST(PanelText, AlarmsThatArePutAsideAreNotShown)
 {
   for (int state = 0; state < 20; ++state)

@@ -26,6 +26,9 @@ std::string forecastText(const TetherForecast& forecast);
 /// State of an alarm: "ACTIVE"; what is past the codes is "unknown".
 std::string alarmStateText(const Alarm& alarm);
 
+/// "0.31 m", "76 %" of what is a fraction, "not known".
+std::string alarmValueText(double value, const std::string& unit);
+
 /// True for an alarm that an operator is to see: neither normal nor put aside.
 bool isShown(const Alarm& alarm);
 
