@@ -22,6 +22,8 @@ STEPS = [
      " for launch in demo dive operator sim tank_run winch_control feed_forward; do nodes $launch.launch; done"),
     ("has the page", "test -f {prefix}/share/tether_monitor/web/page/index.html && python3 -m py_compile {prefix}/share/tether_monitor/web/server.py"),
     ("has the nodelet", "test -f {prefix}/share/tether_monitor/nodelet_plugins.xml && ls {prefix}/lib/libtether_monitor_nodelet.so"),
+    ("has the panel where it was built", "test ! -f {build}/devel/lib/libtether_monitor_rviz.so || {{ test -f {prefix}/lib/libtether_monitor_rviz.so;"
+     " rospack plugins --attrib=plugin rviz | grep -q '^tether_monitor {prefix}/share/tether_monitor/rviz_plugins.xml'; }}"),
 ]
 
 
@@ -33,7 +35,7 @@ def main(build, prefix):
     failed = 0
     environment = {key: value for key, value in os.environ.items() if not key.startswith(("ROS_PACKAGE", "CMAKE_PREFIX", "PYTHONPATH", "LD_LIBRARY"))}
     for name, command in STEPS:
-        command = command.format(prefix=prefix, root=ROOT)
+        command = command.format(build=build, prefix=prefix, root=ROOT)
         done = subprocess.run(["bash", "-c", "set -e; . %s/setup.bash; set -uo pipefail; %s" % (prefix, command)], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, universal_newlines=True, env=environment)
         print("%s: %s" % (name, "passed" if done.returncode == 0 else "FAILED\n" + done.stdout))
