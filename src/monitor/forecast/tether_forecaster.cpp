@@ -5,24 +5,20 @@
 #include <utility>
 #include <vector>
 
-#include "tether_monitor/monitor/ensemble/ensemble_members.h"
 #include "tether_monitor/monitor/estimate/estimate_summary.h"
-#include "tether_monitor/monitor/forecast/random_vectors.h"
-#include "tether_monitor/monitor/forecast/thrust_course.h"
-#include "tether_monitor/monitor/forecast/winch_course.h"
+#include "tether_monitor/monitor/forecast/member_course.h"
 
 namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double STEP = 0.2;       // [s] of the vessel's courses, and at most of the tether
-constexpr double INTERVAL = 0.5;   // [s] between the times of a forecast
+constexpr double STEP = MemberCourse::STEP;  // [s], and at most of the tether
+constexpr double INTERVAL = 0.5;             // [s] between the times of a forecast
 constexpr double BEGINNING = 2.0;  // [s] until a member has left the errors of the moment's motion behind
 constexpr double LARGEST_LOST_SHARE = 0.25;  // of the members
 constexpr double TOLERATED = 0.05;           // probability of over-tension
 constexpr double SLOWEST_WAY = 0.1;          // speed below which a vessel has no way to go on [m/s]
 constexpr int BISECTIONS = 4;
-constexpr std::uint64_t SEED = 11, SEED_STEP = 1000003;
 
 core::EndMotion endOf(const core::NodeCoords& q, const core::NodeCoords& v, const core::Vector3& origin)
 {
@@ -41,47 +37,6 @@ double lastSafe(double safe, double unsafe, const IsSafe& isSafe)
   return safe;
 }
 
-// The unknown force on the vehicle of one member.
-class UnknownForceCourse
-{
- public:
-  UnknownForceCourse(const ForecastStart& start, const ForecastMember& member, RandomNumbers& random)
-    : stddev_(start.unknown_force.fast_stddev), decay_(std::exp(-STEP / start.unknown_force.fast_memory))
-  {
-    slow_ = member.slow_force + squareRoot(start.slow_force_covariance) * normals<3>(random);
-    fast_ = member.fast_force;
-  }
-  core::Vector3 advance(RandomNumbers& random)
-  {
-    fast_ = decay_ * fast_ + stddev_ * std::sqrt(1.0 - decay_ * decay_) * normals<3>(random);
-    return slow_ + fast_;
-  }
-
- private:
-  core::Vector3 slow_, fast_;
-  double stddev_, decay_;
-};
-
-// The winch gets to a rate; at the end of the tether it stops.
-core::PayoutTrajectory payOut(const core::CableModel& model, const core::CableState& state, double rate, double t)
-{
-  core::PayoutState from{model.length(state.deployment), 0.0, 0.0};
-  if (state.deployment.payout)
-    from.rate = state.deployment.payout->rate;
-  core::PayoutState to{from.length + 0.5 * (t - state.time) * (from.rate + rate), rate, 0.0};
-  if (!model.canRepresentLength(to.length))
-    to = {from.length, 0.0, 0.0};
-  return core::PayoutTrajectory::between(state.time, from, t, to);
-}
-
-double wantedRate(const ForecastStart& start, const ForecastActions& actions, double t, double deployed,
-                  double usual)
-{
-  if (actions.payout_rate)
-    return *actions.payout_rate;
-  return start.payout_plan ? start.payout_plan->rateAt(t, deployed, usual) : usual;
-}
-
 bool followsPlan(const ForecastStart& start, double horizon, const ForecastActions& actions)
 {
   const bool is_steered = actions.vessel.velocity || actions.vessel.turn_rate;
@@ -96,8 +51,8 @@ TetherForecaster::TetherForecaster(const Config& config) : limits_(config), body
 }
 
 bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& extent, int index,
-                                      const ForecastActions& actions, const EndMotionSampler& vessel,
-                                      const EndMotionSampler* vehicle, core::AdaptiveStepper& stepper)
+                                      const ForecastActions& actions, const EndSamplers& samplers,
+                                      core::AdaptiveStepper& stepper)
 {
   const auto available = start.members.size();
   const auto wanted = static_cast<std::size_t>(extent.members);
@@ -105,50 +60,16 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
                                                                                       : index % available;
   const ForecastMember& member = start.members[from];
   const core::CableModel& model = *start.model;
-  const core::Vector3& origin = model.environment().origin();
   core::CableState state = member.state;
   core::DeployedCable cable(model, state.deployment);
-  RandomNumbers random(SEED + SEED_STEP * static_cast<std::uint64_t>(index));
-  EndMotionSampler::Course course = vessel.begin(random), other{};
-  if (vehicle)
-    other = vehicle->begin(random);
-  UnknownForceCourse unknown(start, member, random);
   core::Vector3 pull = core::endForces(cable, state).vehicle;
-  std::optional<ThrustCourse> reaction;
-  if (start.reaction && !actions.thrust)
-    reaction.emplace(*start.reaction, pull, state.vehicle.orientation * start.thrust.force, start.max_thrust,
-                     random);
+  MemberCourse course(start, actions, samplers, body_, member, pull, index);
   const int steps = static_cast<int>(std::lround(extent.horizon / STEP));
   const int first = static_cast<int>(std::lround(std::min(BEGINNING, 0.5 * extent.horizon) / STEP));
-  core::EndMotion at = endOf(state.q.front(), state.v.front(), core::Vector3::Zero());
-  WinchCourse winch(start.winch, start.payout_rate, WinchReaction::away(state, at.velocity));
-  core::EndMotion held = endOf(state.q.back(), state.v.back(), core::Vector3::Zero());
   for (int k = 1; k <= steps; ++k)
   {
     const double t = start.t + STEP * k;
-    core::BoundaryConditions ends;
-    core::EndMotion next = vessel.advance(course, random);
-    next.position -= origin;
-    ends.vessel = core::EndTrajectory::between(state.time, at, t, next);
-    at = next;
-    if (vehicle)
-    {
-      next = vehicle->advance(other, random);
-      next.position -= origin;
-      ends.vehicle = core::EndTrajectory::between(state.time, held, t, next);
-      held = next;
-    }
-    ends.clamps = state.clamps;
-    ends.vehicle_thrust = actions.thrust.value_or(start.thrust);
-    ends.vehicle_force = unknown.advance(random);
-    if (reaction)
-      ends.vehicle_force += reaction->advance(STEP, pull);
-    if (start.attitude)
-      ends.vehicle_thrust.torque += torqueTowards(body_, *start.attitude, state.vehicle);
-    const double slow = wantedRate(start, actions, state.time, model.length(state.deployment), winch.usualRate());
-    const double rate = winch.advance(STEP, slow, WinchReaction::away(state, at.velocity));
-    if (rate != 0.0 || (state.deployment.payout && state.deployment.payout->rate != 0.0))
-      ends.payout = payOut(model, state, rate, t);
+    const core::BoundaryConditions ends = course.next(t, state, pull);
     if (isStopped() || !stepper.advance(model, ends, t, state).converged() || !state.allFinite())
       return false;
     cable.update(model, state.deployment);
@@ -172,7 +93,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
   }
   std::vector<core::Vector3> stations = estimate_.stations.position;
   for (core::Vector3& station : stations)
-    station += origin;
+    station += model.environment().origin();
   traces_.finish(index, std::move(stations));
   return true;
 }
@@ -188,14 +109,13 @@ void TetherForecaster::simulate(const ForecastStart& start, const Extent& extent
   const core::Vector3& origin = start.model->environment().origin();
   MotionCommand command = actions.vessel;
   command.plan = &start.plan;
-  const EndMotionSampler vessel(start.vessel, endOf(first.q.front(), first.v.front(), origin), STEP, command);
-  std::optional<EndMotionSampler> vehicle;
+  EndSamplers samplers{{start.vessel, endOf(first.q.front(), first.v.front(), origin), STEP, command}, {}};
   if (start.vehicle)
-    vehicle.emplace(*start.vehicle, endOf(first.q.back(), first.v.back(), origin), STEP);
+    samplers.vehicle.emplace(*start.vehicle, endOf(first.q.back(), first.v.back(), origin), STEP);
   int passing = 0;
   for (int i = 0; i < extent.members && passing <= extent.tolerated; ++i)
   {
-    if (!simulateMember(start, extent, i, actions, vessel, vehicle ? &*vehicle : nullptr, stepper))
+    if (!simulateMember(start, extent, i, actions, samplers, stepper))
       traces_.drop(i);
     passing += traces_.passesLimit(i);
   }

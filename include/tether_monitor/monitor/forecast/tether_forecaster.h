@@ -2,18 +2,13 @@
 
 #include <atomic>
 
+#include "tether_monitor/monitor/forecast/forecast_actions.h"
 #include "tether_monitor/monitor/forecast/forecast_start.h"
 #include "tether_monitor/monitor/forecast/forecast_traces.h"
 
 namespace tether_monitor::monitor
 {
-/// What is done during a forecast, where it is not what is done now.
-struct ForecastActions
-{
-  MotionCommand vessel;
-  std::optional<double> payout_rate;   ///< [m/s]
-  std::optional<core::Wrench> thrust;  ///< on a simulated vehicle, body axes.
-};
+struct EndSamplers;
 
 /**
  * Runs the members of an estimate on: each with its own parameters, its own continuation of the vessel's motion
@@ -52,8 +47,7 @@ class TetherForecaster
   };
   void simulate(const ForecastStart& start, const Extent& extent, const ForecastActions& actions);
   bool simulateMember(const ForecastStart& start, const Extent& extent, int index, const ForecastActions& actions,
-                      const EndMotionSampler& vessel, const EndMotionSampler* vehicle,
-                      core::AdaptiveStepper& stepper);
+                      const EndSamplers& samplers, core::AdaptiveStepper& stepper);
   bool isSafe(const ForecastStart& start, double horizon, int members, const ForecastActions& actions);
 
   bool isStopped() const { return stop_ && *stop_; }
