@@ -14,6 +14,7 @@ std::string findingAfter(const Slip& slip)
   Config config = testConfig();
   config.vehicle_mode = VehicleMode::FREE;
   config.vehicle_body = smallVehicle();
+  config.vehicle_body.center_of_buoyancy = {0.0, 0.0, 0.05};
   slip(config);
   const std::vector<std::string> found = suspiciousValues(config);
   return found.empty() ? "" : found.front();
@@ -36,6 +37,19 @@ TEST(SuspiciousValues, ASlipOfAUnitIsNamed)
   EXPECT_NE(findingAfter([](Config& c) { c.vehicle_body.volume *= 1000.0; }).find("vehicle.volume"),
             std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.tether.drag_normal = 12.0; }).find("drag_normal"), std::string::npos);
+}
+
+TEST(SuspiciousValues, AVehicleThatNothingRights)
+{
+  EXPECT_NE(findingAfter([](Config& c) { c.vehicle_body.center_of_buoyancy.z() = -0.05; }).find("nothing rights"),
+            std::string::npos);
+  EXPECT_EQ(findingAfter(
+                [](Config& c)
+                {
+                  c.vehicle_body.center_of_buoyancy.z() = 0.0;
+                  c.vehicle_mode = VehicleMode::TRACKED;
+                }),
+            "");
 }
 
 }  // namespace tether_monitor::monitor
