@@ -23,8 +23,8 @@ class MemberCourse
  public:
   static constexpr double STEP = 0.2;  ///< [s]
 
-  /// All arguments must outlive it. @param state  of the member's tether at the beginning. @param pull  of the
-  /// tether on the vehicle then [N].
+  /// What is given by reference must outlive it, but for the member. @param pull  of the tether on the vehicle at
+  /// the beginning [N]. @param index  its number: chooses what is drawn.
   MemberCourse(const ForecastStart& start, const ForecastActions& actions, const EndSamplers& samplers,
                const core::RigidBody& body, const ForecastMember& member, const core::Vector3& pull, int index);
 
