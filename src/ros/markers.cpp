@@ -79,7 +79,7 @@ Marker uncertaintyTube(const std_msgs::Header& header, const monitor::TetherEsti
     return m;
   }
   m.scale.x = m.scale.y = m.scale.z = 1.0;
-  m.color = colour(0.4, 0.7, 1.0, 0.25);
+  m.color = colour(0.65, 0.7, 0.75, 0.25);
   const auto corner = [&](std::size_t k, int side)
   {
     const core::Vector3 along =
@@ -111,7 +111,7 @@ Marker forceArrow(const std_msgs::Header& header, int id, const monitor::Config&
   m.points = {pointMessage(at), pointMessage(at + force.normalized() * length)};
   m.scale.x = 1.2 * LINE_WIDTH * e.length;
   m.scale.y = 3.0 * LINE_WIDTH * e.length;
-  m.color = colour(0.2, 0.6, 1.0);
+  m.color = colour(0.85, 0.65, 0.95);
   return m;
 }
 
@@ -248,13 +248,18 @@ Marker fixCrosses(const std_msgs::Header& header, const monitor::TetherEstimator
 }
 }  // namespace
 
+// Told apart by those who cannot tell red from green, too.
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning)
 {
-  const double u = std::isfinite(utilisation) ? std::max(utilisation, 0.0) : 1.0;
-  if (u < warning)
-    return colour(0.1 + 0.85 * u / warning, 0.85, 0.2 - 0.1 * u / warning);
-  const double past = std::min((u - warning) / std::max(1.0 - warning, 1e-6), 1.0);
-  return colour(0.95, 0.85 * (1.0 - past), 0.1);
+  const core::Vector3 rest(0.34, 0.71, 0.91), warned(0.94, 0.89, 0.26), limit(0.9, 0.15, 0.05);
+  const auto between = [](const core::Vector3& from, const core::Vector3& to, double share)
+  {
+    const core::Vector3 c = from + std::clamp(share, 0.0, 1.0) * (to - from);
+    return colour(c.x(), c.y(), c.z());
+  };
+  const double u = std::isfinite(utilisation) ? utilisation : 1.0;
+  return u < warning ? between(rest, warned, u / warning)
+                     : between(warned, limit, (u - warning) / std::max(1.0 - warning, 1e-6));
 }
 
 visualization_msgs::MarkerArray markers(const std_msgs::Header& header, const monitor::TetherEstimator& estimator,

@@ -92,7 +92,7 @@ std::string alarmValueText(double value, const std::string& unit)
     return number("%.0f %%", 100.0 * value);
   if (unit == "N")
     return forceText(value);
-  return number("%.3g ", value) + unit;
+  return number("%.3g", value) + (unit.empty() || unit == "-" ? "" : " " + unit);
 }
 
 bool isShown(const Alarm& alarm)

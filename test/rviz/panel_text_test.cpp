@@ -70,6 +70,7 @@ TEST(PanelText, OfAValueOfAnAlarm)
   EXPECT_EQ(alarmValueText(0.764, "fraction of working_load"), "76 %");
   EXPECT_EQ(alarmValueText(1234.0, "N"), "1.23 kN");
   EXPECT_EQ(alarmValueText(0.5, "m"), "0.5 m");
+  EXPECT_EQ(alarmValueText(4.2, "-"), "4.2");
 }
 
 TEST(PanelText, AlarmsThatArePutAsideAreNotShown)

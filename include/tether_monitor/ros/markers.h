@@ -10,7 +10,7 @@
 
 namespace tether_monitor
 {
-/// Colour of a tension: green at rest, yellow at the warning fraction of the working load, red from its limit on.
+/// Colour of a tension: blue at rest, yellow at the warning fraction of the working load, red from its limit on.
 std_msgs::ColorRGBA utilisationColour(double utilisation, double warning);
 
 /**

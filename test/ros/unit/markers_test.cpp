@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/estimator_fixture.h"
 
 namespace tether_monitor
@@ -36,13 +38,18 @@ TEST(Markers, ALineOfTheForecastIsThereOrDeleted)
   EXPECT_EQ(forecastLine(std_msgs::Header(), {}).action, visualization_msgs::Marker::DELETE);
 }
 
-TEST(UtilisationColour, GoesFromGreenOverYellowToRed)
+TEST(UtilisationColour, GoesFromBlueOverYellowToRed)
 {
-  EXPECT_GT(utilisationColour(0.0, 0.8).g, 0.7);
-  EXPECT_LT(utilisationColour(0.0, 0.8).r, 0.3);
+  EXPECT_GT(utilisationColour(0.0, 0.8).b, 0.9);
+  EXPECT_LT(utilisationColour(0.0, 0.8).r, 0.4);
   EXPECT_GT(utilisationColour(0.8, 0.8).r, 0.9);
   EXPECT_GT(utilisationColour(0.8, 0.8).g, 0.8);
-  EXPECT_LT(utilisationColour(1.2, 0.8).g, 0.1);
+  EXPECT_LT(utilisationColour(0.8, 0.8).b, 0.3);
+  for (const double u : {1.2, std::nan("")})
+  {
+    EXPECT_GT(utilisationColour(u, 0.8).r, 0.85);
+    EXPECT_LT(utilisationColour(u, 0.8).g, 0.2);
+  }
 }
 
 }  // namespace tether_monitor
