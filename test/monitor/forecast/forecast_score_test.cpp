@@ -6,6 +6,16 @@ namespace tether_monitor::monitor
 {
 namespace
 {
+TetherForecast saying(double probability, int t)
+{
+  TetherForecast forecast;
+  forecast.t = t;
+  forecast.horizon = 30.0;
+  forecast.members = 96;
+  forecast.probability_over_tension = probability;
+  return forecast;
+}
+
 // An hour in which the tether is past its limit for a second at every multiple of 100 s; once a second a forecast.
 template <class Probability>
 ForecastScore record(const Probability& probability)
@@ -14,12 +24,7 @@ ForecastScore record(const Probability& probability)
   for (int t = 1; t <= 3600; ++t)
   {
     score.observe(t, t % 100 == 0);
-    TetherForecast forecast;
-    forecast.t = t;
-    forecast.horizon = 30.0;
-    forecast.members = 96;
-    forecast.probability_over_tension = probability(t);
-    score.add(forecast, t % 100 == 0);
+    score.add(saying(probability(t), t), t % 100 == 0);
   }
   return score;
 }
@@ -69,12 +74,7 @@ TEST(ForecastScore, WhatNobodyKnowsDoesNotChooseTheForecasts)
     for (int t = 1; t <= 300; ++t)
     {
       score.observe(t, dive % 2 == 0);
-      TetherForecast forecast;
-      forecast.t = t;
-      forecast.horizon = 30.0;
-      forecast.members = 96;
-      forecast.probability_over_tension = 0.5;
-      score.add(forecast, false);
+      score.add(saying(0.5, t), false);
     }
     all.add(score);
   }
