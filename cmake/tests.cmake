@@ -89,7 +89,6 @@ set(test_files
   test/monitor/estimator/tether_estimator_test.cpp
   test/monitor/estimator/tracked_body_test.cpp
   test/monitor/forecast/end_motion_predictor_test.cpp
-  test/monitor/forecast/fading_memory_test.cpp
   test/monitor/forecast/forecast_score_test.cpp
   test/monitor/forecast/forecast_traces_test.cpp
   test/monitor/forecast/tether_forecaster_test.cpp
@@ -110,8 +109,10 @@ set(test_files
   test/monitor/ensemble/ensemble_start_test.cpp
   test/monitor/ensemble/ensemble_summary_test.cpp
   test/monitor/ensemble/ensemble_transform_test.cpp
+  test/monitor/ensemble/fading_memory_test.cpp
   test/monitor/ensemble/improbability_test.cpp
   test/monitor/ensemble/innovation_gate_test.cpp
+  test/monitor/ensemble/load_cell_record_test.cpp
   test/monitor/ensemble/motion_error_filter_test.cpp
   test/monitor/ensemble/reading_statistics_test.cpp
   test/monitor/ensemble/measurement_timing_test.cpp

@@ -55,9 +55,9 @@ EnsembleFilter::EnsembleFilter(const Config& config)
     sight_{MotionErrorFilter::Jacobian::Zero(), MemberVectors::Zero(3, count_),   MemberVectors::Zero(3, count_),
            MemberVectors::Zero(3, count_),      Eigen::RowVectorXd::Zero(count_), core::Matrix3::Identity()},
     sample_(PARAMETERS, count_),
+    load_cell_(count_),
     spacing_((config.navigation.latency + OUT_OF_ORDER) / static_cast<double>(ticks_.capacity() - 8))
 {
-  believed_.nominal = Eigen::RowVectorXd::Zero(count_);
   for (Tick& tick : ticks_.storage())
   {
     tick.motion = MemberMotion(count_);
@@ -87,7 +87,7 @@ void EnsembleFilter::begin(const EnsembleStart& start, const core::Matrix3& posi
   applied_ = transferred_;
   gate_.start(t, measured_at);
   walked_at_ = began_at_ = t;
-  believed_.t = -std::numeric_limits<double>::infinity();
+  load_cell_.clear();
   first_transform_ = next_transform_;
   ticks_.clear();
   Tick& tick = ticks_.emplaceBack();
@@ -299,12 +299,8 @@ void EnsembleFilter::process(VehicleMeasurement& fix, std::size_t tick, const co
 void EnsembleFilter::believe(const VehicleMeasurement& reading)
 {
   const double tension = reading.value.value().x();
-  if (reading.t < believed_.t || !(std::abs(tension_residual_.normalized()) <= BELIEVED_RESIDUAL))
-    return;
-  believed_.t = reading.t;
-  believed_.tension = tension;
-  believed_.noise_variance = std::pow(sensor_stddev_ * tension, 2);
-  believed_.nominal = sight_.nominal_tension;
+  if (reading.t >= load_cell_.t() && std::abs(tension_residual_.normalized()) <= BELIEVED_RESIDUAL)
+    load_cell_.add(reading.t, tension, std::pow(sensor_stddev_ * tension, 2), sight_.nominal_tension);
 }
 
 // (E9): what is predicted, had the members known what was learnt since t; the last transform is its own.
@@ -382,7 +378,7 @@ void EnsembleFilter::walk(double t)
 bool EnsembleFilter::isValid() const
 {
   if (!parameters_.allFinite() || parameters_.cols() != count_ || !motion_.isValid() || !applied_.allFinite() ||
-      motion_.means().cols() != count_ || believed_.nominal.size() != count_ || transforms_.size() != TRANSFORMS)
+      motion_.means().cols() != count_ || !load_cell_.isValid(count_) || transforms_.size() != TRANSFORMS)
     return false;
   for (std::size_t k = 0; k < ticks_.size(); ++k)
     if (!std::isfinite(ticks_[k].t) || !ticks_[k].belief.means.allFinite() ||

@@ -224,17 +224,17 @@ void TetherEnsemble::summarize(const core::Vector3& vessel_stddev)
 // (E23): what a reading was off from every member a moment ago, it is off now.
 void TetherEnsemble::followLoadCell(double common)
 {
-  const BelievedReading& reading = filter_.believedReading();
-  const double age = std::max(members_.state(0).time - reading.t, 0.0) / LIKENESS_TIME;
+  const LoadCellRecord& reading = filter_.loadCell();
+  const double age = std::max(members_.state(0).time - reading.t(), 0.0) / LIKENESS_TIME;
   const double likeness = std::exp(-0.5 * age * age);
   if (likeness < LEAST_LIKENESS)
     return;
   const double of_vessel = own_.vessel * own_.vessel;
-  const double of_residual = of_vessel + reading.noise_variance;
+  const double of_residual = of_vessel + reading.noiseVariance();
   if (!(of_residual > 0.0))
     return;
-  residual_ = -(reading.nominal + filter_.parameters().row(TENSION_BIAS) + own_.vessel_correction);
-  residual_.array() += reading.tension;
+  residual_ = -(reading.nominal() + filter_.parameters().row(TENSION_BIAS) + own_.vessel_correction);
+  residual_.array() += reading.tension();
   own_.vessel_correction += likeness * of_vessel / of_residual * residual_;
   own_.vehicle_correction += likeness * common / of_residual * residual_;
   own_.vessel = std::sqrt(of_vessel * (1.0 - likeness * likeness * of_vessel / of_residual));

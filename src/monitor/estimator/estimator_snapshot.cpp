@@ -12,7 +12,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 16";
+const char* const FORMAT = "tether_monitor state 17";
 
 // What has become of a model since it was made of the configuration.
 struct ModelChanges

@@ -222,7 +222,9 @@ void ObservedVehicleEnd::prepareForecast(ForecastStart& start) const
   for (int i = 0; i < ensemble_.members().size(); ++i)
     start.members.push_back({ensemble_.members().state(i),
                              error.means().col(i).segment<3>(MotionErrorFilter::SLOW),
-                             error.means().col(i).segment<3>(MotionErrorFilter::FAST)});
+                             error.means().col(i).segment<3>(MotionErrorFilter::FAST),
+                             filter.loadCell().ratio(i, filter.parameters()(TENSION_BIAS, i),
+                                                     filter.prior().stddev[TENSION_BIAS], start.t)});
 }
 
 bool ObservedVehicleEnd::isValid(const core::CableModel& model) const

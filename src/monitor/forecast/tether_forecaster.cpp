@@ -37,6 +37,15 @@ double lastSafe(double safe, double unsafe, const IsSafe& isSafe)
   return safe;
 }
 
+// (F7)
+void scaleTension(double ratio, core::StationProfile& stations)
+{
+  for (double& tension : stations.tension)
+    tension *= ratio;
+  stations.ends.vessel *= ratio;
+  stations.ends.vehicle *= ratio;
+}
+
 bool followsPlan(const ForecastStart& start, double horizon, const ForecastActions& actions)
 {
   const bool is_steered = actions.vessel.velocity || actions.vessel.turn_rate;
@@ -75,6 +84,7 @@ bool TetherForecaster::simulateMember(const ForecastStart& start, const Extent& 
     cable.update(model, state.deployment);
     core::computeStations(cable, state, estimate_.stations);
     pull = estimate_.stations.ends.vehicle;
+    scaleTension(member.tension_ratio, estimate_.stations);
     summarize(cable, estimate_);
     if (k < first)
       continue;

@@ -228,6 +228,27 @@ TEST(TetherForecaster, MembersOfAnEnsembleGoOn)
   EXPECT_LT((f.position.back() - later.stations.position.back()).norm(), 5.0);
 }
 
+// (F7): a load cell reads less than the members have.
+TEST(TetherForecaster, WhatTheLoadCellReadsGoesOn)
+{
+  NavigationFixture fixture;
+  fixture.run(30.0);
+  ForecastStart start = *fixture.estimator.forecastStart();
+  TetherForecaster forecaster(observedConfig());
+  const TetherForecast as_modelled = forecaster.run(start, HORIZON, 32);
+  for (ForecastMember& member : start.members)
+  {
+    EXPECT_EQ(member.tension_ratio, 1.0) << "without a load cell";
+    member.tension_ratio = 0.8;
+  }
+  const TetherForecast as_read = forecaster.run(start, HORIZON, 32);
+  for (std::size_t k = 0; k < as_read.time.size(); ++k)
+  {
+    EXPECT_NEAR(as_read.vessel_tension[k], 0.8 * as_modelled.vessel_tension[k], 1e-6);
+    EXPECT_NEAR(as_read.max_tension_p95[k], 0.8 * as_modelled.max_tension_p95[k], 1e-6);
+  }
+}
+
 TEST(TetherForecaster, TheSameStartGivesTheSameForecast)
 {
   const EstimatorFixture fixture = drivingOff();

@@ -4,6 +4,7 @@
 
 #include "tether_monitor/monitor/ensemble/ensemble_members.h"
 #include "tether_monitor/monitor/ensemble/innovation_gate.h"
+#include "tether_monitor/monitor/ensemble/load_cell_record.h"
 #include "tether_monitor/monitor/ensemble/motion_error_filter.h"
 #include "tether_monitor/monitor/ensemble/random_numbers.h"
 #include "tether_monitor/monitor/ensemble/reading_statistics.h"
@@ -13,21 +14,6 @@
 
 namespace tether_monitor::monitor
 {
-/// The last reading of the load cell that was believed, and what the nominal members had at its time.
-struct BelievedReading
-{
-  double t = -std::numeric_limits<double>::infinity();  ///< [s]
-  double tension = 0.0;                                 ///< [N]
-  double noise_variance = 0.0;                          ///< of the cell alone, without bias [N^2].
-  Eigen::RowVectorXd nominal;                           ///< tensions of the members at the vessel end [N].
-
-  template <class Archive>
-  void serialize(Archive& a)
-  {
-    a(t, tension, noise_variance, nominal);
-  }
-};
-
 /**
  * What the measurements tell of an ensemble: of every member's vehicle, MotionErrorFilter, and from the
  * innovations of all of them of the parameters, EnsembleTransform: Friedland's two-stage filter (1969), (E1)-(E7)
@@ -72,7 +58,7 @@ class EnsembleFilter
   const InnovationGate& gate() const { return gate_; }
   /// Of the last reading of the load cell, before it corrected anything.
   const TensionResidual& tensionResidual() const { return tension_residual_; }
-  const BelievedReading& believedReading() const { return believed_; }
+  const LoadCellRecord& loadCell() const { return load_cell_; }
   /// Force that every nominal vehicle is to feel from now on: what is unknown, and what brings it to its mean [N].
   const MemberVectors& appliedForce() const { return applied_; }
   /// Times that the parameters were drawn anew since the measurements contradicted them.
@@ -93,7 +79,7 @@ class EnsembleFilter
   {
     a(parameters_, motion_, gate_, transferred_, applied_, ticks_, transforms_, next_transform_, first_transform_,
       random_, walked_at_, began_at_, resets_, position_rate_, tension_rate_, direction_rate_, tension_spread_,
-      tension_residual_, believed_);
+      tension_residual_, load_cell_);
   }
 
  private:
@@ -161,13 +147,13 @@ class EnsembleFilter
   RandomNumbers random_;
   Sight sight_;
   Eigen::MatrixXd sample_;
+  LoadCellRecord load_cell_;
   double spacing_;  // [s] of ticks
   double walked_at_ = 0.0, began_at_ = 0.0;
   long resets_ = 0;
   ReadingRate position_rate_, tension_rate_, direction_rate_;
   TensionSpread tension_spread_;
   TensionResidual tension_residual_;
-  BelievedReading believed_;
 };
 
 }  // namespace tether_monitor::monitor

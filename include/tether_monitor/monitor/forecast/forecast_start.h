@@ -18,6 +18,7 @@ struct ForecastMember
 {
   core::CableState state;
   core::Vector3 slow_force = core::Vector3::Zero(), fast_force = core::Vector3::Zero();
+  double tension_ratio = 1.0;  ///< measured over that of its state, (F7).
 };
 
 /// All that a forecast begins with, copied: the estimate goes on meanwhile.

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "tether_monitor/core/base/types.h"
-#include "tether_monitor/monitor/forecast/fading_memory.h"
+#include "tether_monitor/monitor/ensemble/fading_memory.h"
 #include "tether_monitor/monitor/forecast/fading_regression.h"
 
 namespace tether_monitor::monitor

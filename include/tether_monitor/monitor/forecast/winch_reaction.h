@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tether_monitor/core/cable/cable_state.h"
-#include "tether_monitor/monitor/forecast/fading_memory.h"
+#include "tether_monitor/monitor/ensemble/fading_memory.h"
 #include "tether_monitor/monitor/forecast/fading_regression.h"
 
 namespace tether_monitor::monitor

@@ -1,4 +1,4 @@
-#include "tether_monitor/monitor/forecast/fading_memory.h"
+#include "tether_monitor/monitor/ensemble/fading_memory.h"
 
 #include <gtest/gtest.h>
 
