@@ -152,7 +152,7 @@ class Tools(unittest.TestCase):
     def test_steady_state_of_a_free_vehicle(self):
         with open(SITE) as site:
             config = self.file("free.yaml", site.read() + "vehicle: {mode: free, mass: 100.0, volume: 0.05, "
-                               "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1]}\n")
+                               "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1], center_of_buoyancy: [0, 0, 0.05]}\n")
         ended = run("tether_steady", "--config", config, "--vessel-position", "0,0,-1", "--out", self.out, "--quiet")
         self.assertEqual((ended.returncode, ended.stdout), (0, ""))
         ends = rows(self.out + "/ends.csv")[0]
@@ -164,7 +164,7 @@ class Tools(unittest.TestCase):
     def free_vehicle(self):
         with open(SITE) as site:
             return self.file("free.yaml", site.read() + "vehicle: {mode: free, mass: 100.0, volume: 0.05, "
-                             "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1]}\n")
+                             "inertia: [1, 1, 1], drag_area: [0.1, 0.1, 0.1], center_of_buoyancy: [0, 0, 0.05]}\n")
 
     def test_replay_of_a_free_vehicle(self):
         rows_of_motion = "".join("%g,%g,0,-1,%g,0,0\n" % (0.1 * i, 0.05 * i, 0.0 if i < 50 else 30.0)

@@ -63,10 +63,10 @@ std::vector<std::string> suspiciousValues(const Config& config)
       found.push_back("vehicle.mass = " + formatNumber(config.vehicle_body.mass) + " kg and vehicle.volume = " +
                       formatNumber(config.vehicle_body.volume) + " m^3 make a density of " +
                       formatNumber(density) + " kg/m^3: is one of them in another unit?");
-    if (config.vehicle_body.center_of_buoyancy.z() <= 0.0)
+    if (config.vehicle_body.center_of_buoyancy.z() <= 0.0 && config.vehicle.attachment.z() <= 0.0)
       found.push_back(
-          "vehicle.center_of_buoyancy (z up) is not above the centre of mass: nothing rights the "
-          "vehicle; some centimetres are usual");
+          "neither vehicle.center_of_buoyancy (z up) nor vehicle.attachment is above the centre of mass: "
+          "nothing rights the vehicle; some centimetres are usual");
   }
   return found;
 }

@@ -41,12 +41,24 @@ TEST(SuspiciousValues, ASlipOfAUnitIsNamed)
 
 TEST(SuspiciousValues, AVehicleThatNothingRights)
 {
-  EXPECT_NE(findingAfter([](Config& c) { c.vehicle_body.center_of_buoyancy.z() = -0.05; }).find("nothing rights"),
-            std::string::npos);
+  const auto lying = [](Config& c)
+  {
+    c.vehicle_body.center_of_buoyancy.z() = -0.05;
+    c.vehicle.attachment.z() = 0.0;
+  };
+  EXPECT_NE(findingAfter(lying).find("nothing rights"), std::string::npos);
   EXPECT_EQ(findingAfter(
-                [](Config& c)
+                [&](Config& c)
                 {
-                  c.vehicle_body.center_of_buoyancy.z() = 0.0;
+                  lying(c);
+                  c.vehicle.attachment.z() = 0.2;
+                }),
+            "")
+      << "its tether does";
+  EXPECT_EQ(findingAfter(
+                [&](Config& c)
+                {
+                  lying(c);
                   c.vehicle_mode = VehicleMode::TRACKED;
                 }),
             "");
