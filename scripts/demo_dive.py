@@ -56,8 +56,11 @@ class Watch:
         self.probability = forecast.probability_over_tension if forecast.members else math.nan
         if self.probability > PROBABLE and not self.has_warned:
             self.has_warned = True
-            self.say("%8.1f  FORECAST: over-tension within %.0f s with a probability of %.0f %%; pay-out recommended: %.2f m/s" % (
-                forecast.header.stamp.to_sec(), forecast.horizon, 100.0 * self.probability, forecast.recommended_payout_rate))
+            rate = forecast.recommended_payout_rate
+            advice = "nothing the winch does would prevent it" if math.isnan(rate) else (
+                "paying out %.2f m/s or more would prevent it" % rate if rate > 0.0 else "the winch must not haul in faster than %.2f m/s" % -rate)
+            self.say("%8.1f  FORECAST: over-tension within %.0f s with a probability of %.0f %%; %s" % (
+                forecast.header.stamp.to_sec(), forecast.horizon, 100.0 * self.probability, advice))
             if forecast.header.stamp.to_sec() > PICTURED_AFTER:
                 self.paint()
         self.has_warned = self.has_warned and self.probability > 0.1

@@ -104,6 +104,8 @@ int findSteadyState(const Arguments& arguments)
   if (velocity.z() != 0.0 && !arguments.quiet)
     std::cout << "notice: the vertical velocity is left out of a steady state: it cannot last\n";
 
+  for (const std::string& value : monitor::suspiciousValues(config))
+    std::cerr << "warning: suspicious: " << value << "\n";
   const replay::SteadyState steady = replay::findSteadyState(config, vessel, vehicle, velocity, arguments.modes);
   const monitor::TetherEstimate& estimate = steady.estimate;
   if (!estimate.has_stations || !steady.report.converged())
@@ -113,8 +115,6 @@ int findSteadyState(const Arguments& arguments)
     else
       std::cerr << "tether_steady: no steady state: " << core::describe(steady.report.status) << ", residual "
                 << steady.report.residual << " N after " << steady.report.iterations << " iterations\n";
-    for (const std::string& value : monitor::suspiciousValues(config))
-      std::cerr << "suspicious: " << value << "\n";
     return NO_STEADY_STATE;
   }
   replay::EndsFile ends(arguments.out, replay::VehicleColumns::RELATIVE);

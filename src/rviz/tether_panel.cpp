@@ -82,6 +82,12 @@ TetherPanel::TetherPanel(QWidget* parent) : rviz::Panel(parent)
   connectTo(USUAL_NODE);
 }
 
+// A field that loses the focus while the panel is taken apart has finished being edited.
+TetherPanel::~TetherPanel()
+{
+  node_edit_->disconnect(this);
+}
+
 void TetherPanel::layOut()
 {
   setMinimumWidth(NARROWEST);
@@ -189,6 +195,7 @@ void TetherPanel::look()
   const double age = (now - last_state_).toSec();
   if ((now - last_forecast_).toSec() > FORECAST_STALE)
     outlook_->setText("no forecast");
+  table_->setEnabled(age <= STALE);
   if (age > STALE)
   {
     status_->setText(

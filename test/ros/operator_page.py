@@ -273,6 +273,7 @@ class OperatorPage(unittest.TestCase):
             self.assertTrue(page.wait_for("document.querySelectorAll('#alarms tbody tr').length > 1 && document.querySelector('#tension .curve')"))
             self.assertTrue(page.wait_for("document.getElementById('cover').hidden"))
             self.assertEqual(page.text("#status-word"), "DEGRADED")
+            self.assertEqual(page.text("#status-alarm"), "ALARM over tension and 1 more")
             self.assertTrue(page.wait_for("document.getElementById('status-text').textContent.includes('wide band')"), "the diagnostics say why")
             self.assertRegex(page.text("#vessel-tension"), r"^4\.[2-8]\d kN$")
             self.assertEqual(page.text("#vehicle-tension"), "1.54 kN")

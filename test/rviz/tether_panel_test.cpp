@@ -101,14 +101,16 @@ AlarmArray twoAlarms()
 TEST_F(Panel, ShowsWhatThereIsAndNoStaleNumber)
 {
   EXPECT_TRUE(shows("status", "nothing from /rov1/tether_monitor yet"));
+  EXPECT_FALSE(table().isEnabled());
   state.publish(tow());
-  ASSERT_TRUE(until([&] { return shows("status", "valid"); }));
+  ASSERT_TRUE(until([&] { return shows("status", "valid") && table().isEnabled(); }));
   EXPECT_EQ(text("vessel"), "4.54 kN (3.91 kN to 5.3 kN)");
   EXPECT_EQ(text("vehicle"), "820 N");
   EXPECT_TRUE(shows("largest", "45 % of working load")) << text("largest");
   EXPECT_EQ(text("length"), "250 m, in 0.20 m/s");
   ASSERT_TRUE(until([&] { return shows("status", "nothing from /rov1/tether_monitor for"); }));
   EXPECT_EQ(text("vessel"), "unknown");
+  EXPECT_FALSE(table().isEnabled());
   TetherState none = tow();
   none.status = TetherState::STATUS_INVALID;
   none.reason = TetherState::REASON_VESSEL_STALE;

@@ -9,6 +9,13 @@ const WORDS = {
 const SHELVING = 600;  // [s]
 const isNew = (alarm) => alarm.state === "UNACKNOWLEDGED" || alarm.state === "RETURNED_UNACKNOWLEDGED";
 
+// The gravest that is neither normal nor put aside, and how many more there are.
+export function worst(alarms) {
+  const active = alarms.filter((alarm) => ["UNACKNOWLEDGED", "ACKNOWLEDGED", "RETURNED_UNACKNOWLEDGED", "LATCHED"].includes(alarm.state))
+    .sort((a, b) => ORDER[a.severity] - ORDER[b.severity] || isNew(b) - isNew(a));
+  return active.length ? { alarm: active[0], more: active.length - 1 } : null;
+}
+
 function cell(row, text, small = "") {
   const td = row.insertCell();
   td.textContent = text;

@@ -90,7 +90,7 @@ function draw() {
   const limits = forceLimits(known, state);
   const isNight = document.documentElement.dataset.light === "night";
   id("clock").textContent = state.t > 1e8 ? new Date(1000 * state.t).toISOString().slice(11, 19) + " UTC" : state.t.toFixed(0) + " s";
-  drawStatus(state, latest.inputs);
+  drawStatus(state, latest.inputs, known);
   drawFigures(state, latest.forecast);
   drawTether(state, latest.forecast, latest.alarms);
   drawParameters(latest.parameters);

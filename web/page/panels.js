@@ -1,16 +1,22 @@
 // What is text: status, figures, the tether, what was learnt, inputs.
+import { worst } from "./alarm_list.js";
 import { degrees, duration, figures, force, UNKNOWN, withBand, withUnit } from "./units.js";
 
 const id = (name) => document.getElementById(name);
 const WARNING_SHARE = 0.8, LIKELY = 0.5, POSSIBLE = 0.05;
 const LATE = 2, GONE = 10, FORECAST_LIFE = 10;  // [s]
 
-export function drawStatus(state, inputs) {
+export function drawStatus(state, inputs, alarms) {
   const reason = state.reason === "NONE" ? "" : state.reason.toLowerCase().replace(/_/g, " ");
   id("status").dataset.status = state.status;
   id("status-word").textContent = state.status;
   const cause = inputs && reason ? inputs.summary.replace(/^[A-Z]+: /, "") : reason;
   id("status-text").textContent = state.status === "OK" ? "The estimate holds." : cause;
+  const found = worst(alarms), badge = id("status-alarm");
+  badge.hidden = !found;
+  if (!found) return;
+  badge.dataset.severity = found.alarm.severity;
+  badge.textContent = found.alarm.severity.toUpperCase() + " " + found.alarm.name.replace(/_/g, " ") + (found.more ? ` and ${found.more} more` : "");
 }
 
 function level(element, share) {

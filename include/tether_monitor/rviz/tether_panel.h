@@ -27,6 +27,7 @@ class TetherPanel : public rviz::Panel
 {
  public:
   explicit TetherPanel(QWidget* parent = nullptr);
+  ~TetherPanel() override;
 
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;

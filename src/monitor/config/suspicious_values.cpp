@@ -14,6 +14,7 @@ constexpr double THICKEST = 0.5;                                      // [m]
 constexpr double LIGHTEST = 150.0, HEAVIEST = 20000.0;                // [kg/m^3]
 constexpr double SOFTEST = 1e5, STIFFEST = 5e11;                      // EA over the section [Pa]
 constexpr double WEAKEST = 2e5;                                       // breaking load over the section [Pa]
+constexpr double LIGHTEST_WATER = 900.0, HEAVIEST_WATER = 1300.0;     // [kg/m^3]
 constexpr double FASTEST_WATER = 5.0;                                 // [m/s]
 constexpr double MOST_DRAG_NORMAL = 5.0, MOST_DRAG_TANGENTIAL = 2.0;  // [-]
 constexpr double LIGHTEST_BODY = 50.0, HEAVIEST_BODY = 12000.0;       // [kg/m^3]
@@ -52,6 +53,9 @@ std::vector<std::string> suspiciousValues(const Config& config)
   checkProperties("tether.", config.tether, found);
   for (std::size_t i = 0; i < config.layout.sections.size(); ++i)
     checkProperties("tether.sections[" + std::to_string(i) + "].", config.layout.sections[i].properties, found);
+  const double water = config.environment.water_density;
+  if (water < LIGHTEST_WATER || water > HEAVIEST_WATER)
+    found.push_back("environment.water_density = " + formatNumber(water) + " kg/m^3 is not that of water");
   for (const core::CurrentProfile::Sample& sample : config.environment.current.samples())
     if (sample.velocity.norm() > FASTEST_WATER)
       found.push_back("environment.current: " + formatNumber(sample.velocity.norm()) + " m/s at a depth of " +

@@ -34,6 +34,8 @@ TEST(SuspiciousValues, ASlipOfAUnitIsNamed)
       findingAfter([](Config& c) { c.environment.current = core::CurrentProfile(core::Vector3(50.0, 0.0, 0.0)); })
           .find("in cm/s?"),
       std::string::npos);
+  EXPECT_NE(findingAfter([](Config& c) { c.environment.water_density = 1.025; }).find("water_density"),
+            std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.vehicle_body.volume *= 1000.0; }).find("vehicle.volume"),
             std::string::npos);
   EXPECT_NE(findingAfter([](Config& c) { c.tether.drag_normal = 12.0; }).find("drag_normal"), std::string::npos);
