@@ -57,7 +57,7 @@ class Watch:
         if self.probability > PROBABLE and not self.has_warned:
             self.has_warned = True
             rate = forecast.recommended_payout_rate
-            advice = "nothing the winch does would prevent it" if math.isnan(rate) else (
+            advice = "no rate of the winch is known that would prevent it" if math.isnan(rate) else (
                 "paying out %.2f m/s or more would prevent it" % rate if rate > 0.0 else "the winch must not haul in faster than %.2f m/s" % -rate)
             self.say("%8.1f  FORECAST: over-tension within %.0f s with a probability of %.0f %%; %s" % (
                 forecast.header.stamp.to_sec(), forecast.horizon, 100.0 * self.probability, advice))
