@@ -97,7 +97,8 @@ std::string alarmValueText(double value, const std::string& unit)
 
 bool isShown(const Alarm& alarm)
 {
-  return alarm.state >= Alarm::UNACKNOWLEDGED && alarm.state <= Alarm::LATCHED;
+  return alarm.state != Alarm::NORMAL && alarm.state <= Alarm::OUT_OF_SERVICE &&
+         !monitor::isPutAside(static_cast<monitor::AlarmState>(alarm.state));
 }
 
 }  // namespace tether_monitor
