@@ -115,6 +115,7 @@ set(test_files
   test/monitor/ensemble/load_cell_record_test.cpp
   test/monitor/ensemble/motion_error_filter_test.cpp
   test/monitor/ensemble/reading_statistics_test.cpp
+  test/monitor/ensemble/representative_member_test.cpp
   test/monitor/ensemble/measurement_timing_test.cpp
   test/monitor/ensemble/tether_linearization_test.cpp
   test/monitor/ensemble/vehicle_initializer_test.cpp

@@ -81,7 +81,10 @@ def tension(dive):
     status.grid(False)
     for begin, end, word in spells(dive.t, dive.status):
         status.axvspan(begin, end, color=STATUS_COLOURS.get(word, "#999999"), linewidth=0)
-    status.set_xlabel("time [s]; below: " + ", ".join(sorted(set(dive.status))))
+    words = [word for word in STATUS_COLOURS if word in dive.status]
+    status.legend([plt.Rectangle((0, 0), 1, 1, color=STATUS_COLOURS[word]) for word in words], words, title="what the estimate was worth",
+                  title_fontsize=8, fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -1.2), ncol=len(words), borderaxespad=0.0)
+    status.set_xlabel("time [s]", x=1.0, ha="right")
     return svg(figure)
 
 
@@ -116,11 +119,11 @@ def forecast(dive):
     figure, (peak, chance) = plt.subplots(2, 1, figsize=(9.0, 4.2), sharex=True, gridspec_kw={"height_ratios": [2, 1]})
     peak.fill_between(t, median, high, color=VESSEL, alpha=0.25, linewidth=0, label="forecast, median to 95 %")
     peak.plot(t, came, color=LIMIT, linewidth=1.0, label="came")
-    Unit(dive).label(peak, "largest in the next\nseconds")
+    Unit(dive).label(peak, "largest in the next\n%.0f s" % np.nanmedian(horizon))
     legend_above(peak, 2)
     chance.plot(t, 100.0 * table["probability_over_tension"], color=VESSEL, linewidth=1.0)
     chance.set_ylim(0.0, 100.0)
-    chance.set_ylabel("over-tension [%]")
+    chance.set_ylabel("over-tension within\nthem [%]")
     chance.set_xlabel("time at which it was forecast [s]")
     return svg(figure)
 

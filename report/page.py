@@ -2,6 +2,7 @@
 import html
 import json
 import os
+import time
 
 import numpy as np
 
@@ -10,6 +11,8 @@ import rainflow
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 MOST_FRAMES = 300  # of the slider
+NOT_TOLD = 0.8  # of the standard deviation that was configured: what is left of it where measurements say nothing
+UNITS = {"tether.mass_per_length": "kg/m", "tether.length": "m", "environment.current": "m/s", "vehicle.force": "N", "tension.bias": "N"}
 
 
 def own_file(name):
@@ -26,6 +29,16 @@ def quantity(newtons):
     return "%.3g N" % newtons
 
 
+def figures(value, stddev=None):
+    """As many decimals as the standard deviation has in two figures, or four figures; never an exponent where digits do."""
+    if not np.isfinite(value):
+        return "-"
+    size = abs(value) if stddev is None else stddev
+    kept = 4 if stddev is None else 2
+    decimals = kept - 1 - int(np.floor(np.log10(size))) if size > 0.0 else 0
+    return "%.*f" % (min(max(decimals, 0), 9), round(value, decimals))
+
+
 def table(head, rows):
     cells = lambda kind, row: "".join("<%s>%s</%s>" % (kind, html.escape(str(x)), kind) for x in row)  # noqa: E731
     return "<table><tr>%s</tr>%s</table>" % (cells("th", head), "".join("<tr>%s</tr>" % cells("td", row) for row in rows))
@@ -37,19 +50,22 @@ def section(title, *parts):
 
 def headline(dive):
     largest = dive.ends["max_tension"]
-    figures = [("duration", "%.0f s" % (dive.t[-1] - dive.t[0]))]
+    shown = []
+    if dive.summary.get("epoch"):
+        shown.append(("began", time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime(dive.summary["epoch"] + dive.t[0]))))
+    shown.append(("duration", "%.0f s" % (dive.t[-1] - dive.t[0])))
     if np.isfinite(largest).any():
         k = int(np.nanargmax(largest))
-        figures += [("largest tension", quantity(largest[k])),
+        shown += [("largest tension", quantity(largest[k])),
                     ("when and where", "t = %.1f s, s = %.0f m" % (dive.t[k], dive.ends["max_tension_s"][k]))]
         load = dive.summary.get("working_load")
         if load:
-            figures.append(("of the working load", "%.0f %%" % (100.0 * largest[k] / load)))
+            shown.append(("of the working load", "%.0f %%" % (100.0 * largest[k] / load)))
     total = len(dive.status)
     for word in ("OK", "DEGRADED", "INVALID", "STOWED"):
         if word in dive.status:
-            figures.append((word, "%.1f %% of the time" % (100.0 * dive.status.count(word) / total)))
-    return '<div class="figures">%s</div>' % "".join("<div>%s<b>%s</b></div>" % (html.escape(n), html.escape(v)) for n, v in figures)
+            shown.append((word, "%.1f %% of the time" % (100.0 * dive.status.count(word) / total)))
+    return '<div class="figures">%s</div>' % "".join("<div>%s<b>%s</b></div>" % (html.escape(n), html.escape(v)) for n, v in shown)
 
 
 def alarms(dive):
@@ -102,9 +118,15 @@ def learnt(table_of):
     for k, name in enumerate(table_of.text("name")):
         last[name] = k
     columns = {key: table_of[key] for key in ("mean", "stddev", "configured", "configured_stddev")}
-    return table(["parameter", "configured", "believed at the end"],
-                 [[name, "%.4g ± %.2g" % (columns["configured"][k], columns["configured_stddev"][k]),
-                   "%.4g ± %.2g" % (columns["mean"][k], columns["stddev"][k])] for name, k in last.items()])
+    rows = []
+    for name, k in last.items():
+        mean, stddev, configured, told = (columns[key][k] for key in ("mean", "stddev", "configured", "configured_stddev"))
+        if not told > 0.0:
+            continue
+        is_told = stddev < NOT_TOLD * told
+        rows.append([name, UNITS.get(name.rsplit(".", 1)[0], UNITS.get(name, "")), "%s ± %s" % (figures(configured, told), figures(told, told)),
+                     "%s ± %s" % (figures(mean, stddev), figures(stddev, stddev)) if is_told else "the dive does not tell"])
+    return table(["parameter", "unit", "configured", "believed at the end"], rows)
 
 
 def fatigue(dive):
@@ -135,11 +157,22 @@ def inputs(table_of):
     return table(["topic", "messages", "refused", "age when it came, mean [s]", "longest time without one [s]"], rows) + charts.inputs(table_of)
 
 
+def two(x):
+    """Two figures, - for nothing."""
+    return "-" if x is None else figures(x, abs(x))
+
+
 def score(summary):
     scored = summary.get("forecast") or {}
-    rows = [[key.replace("_", " "), "%.3g" % x if isinstance(x, float) else x] for key, x in scored.items()
-            if isinstance(x, (int, float)) and not isinstance(x, bool)]
-    return table(["forecast", ""], rows) if rows else ""
+    if not scored.get("forecasts"):
+        return ""
+    parts = [table(["forecasts", "times over the limit", "Brier score (0: always right)", "computing, each [s]"],
+                   [[scored["forecasts"], scored["events"], two(scored["brier_score"]), two(scored["cpu_seconds"] / scored["forecasts"])]])]
+    rows = [["%.0f %%" % (100.0 * w["from_probability"]), w["warnings"], w["false_warnings"], w["warned_10_s_ahead"], two(w["median_lead_time"])]
+            for w in scored["warnings"]]
+    if rows:
+        parts.append(table(["warning at a probability of", "warnings", "of these false", "times over the limit warned 10 s ahead", "median lead [s]"], rows))
+    return "".join(parts)
 
 
 def page(dive, title):

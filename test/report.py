@@ -43,7 +43,8 @@ def dive(folder):
     write(folder + "/shape.csv", "t,s,x,y,z,tension,strain,bend_radius,stress",
           [[t, 10 * i, 7 + 8 * i, 5, -6 * i, tension(t), 0, 0, 0] for t in range(0, 120) for i in range(11)])
     write(folder + "/parameters.csv", "t,name,mean,stddev,configured,configured_stddev",
-          [[t, "tether.drag_normal", 1.2 + 0.002 * t, 0.3 - 0.002 * t, 1.2, 0.3] for t in range(0, 120)])
+          [[t, "tether.drag_normal", 1.2 + 0.002 * t, 0.3 - 0.002 * t, 1.2, 0.3] for t in range(0, 120)]
+          + [[t, "tension.bias", 3.0, 178.0, 0, 180] for t in range(0, 120)])
     write(folder + "/forecast.csv", "t,horizon,members,probability_over_tension,probability_breaking,probability_slack,time_to_warning,time_to_limit,"
           "time_to_limit_p05,time_to_slack,place_s,max_tension,max_tension_p05,max_tension_p95",
           [[t, 30, 64, 0.5, 0, 0, "", "", "", "", 0, 4400, 4000, 4700] for t in range(0, 120)])
@@ -51,7 +52,10 @@ def dive(folder):
           [[t, "vehicle/pose", 10, 0, 1.0, 1.0] for t in range(0, 60, 10)] + [[80, "vehicle/pose", 5, 2, 3.0, 21.5]]
           + [[t, "vessel/pose", 100, 0, 0.0, 0.1] for t in range(0, 120, 10)])
     with open(folder + "/summary.json", "w") as out:
-        json.dump({"working_load": 4000.0, "breaking_load": 16000.0, "reason": {"SETTLING": 120}, "forecast": {"brier_score": 0.125}}, out)
+        json.dump({"working_load": 4000.0, "breaking_load": 16000.0, "reason": {"SETTLING": 120}, "epoch": 1600000000.0,
+                   "forecast": {"forecasts": 120, "events": 2, "brier_score": 0.125, "cpu_seconds": 14.4,
+                                "warnings": [{"from_probability": 0.5, "warnings": 4, "false_warnings": 1, "warned_10_s_ahead": 2, "median_lead_time": 12.5},
+                                             {"from_probability": 0.95, "warnings": 0, "false_warnings": 0, "warned_10_s_ahead": 0, "median_lead_time": None}]}}, out)
 
 
 class Report(unittest.TestCase):
@@ -72,8 +76,10 @@ class Report(unittest.TestCase):
         for words in ("largest tension<b>4.5 kN</b>", "of the working load<b>112 %</b>", "INVALID<b>10.0 % of the time</b>", "OK<b>90.0 % of the time</b>",
                       "<td>over tension</td><td>alarm</td><td>60.0</td><td>64.0</td><td>1.05</td>", "<td>slack</td><td>warning</td><td>70.0</td><td>-</td>",
                       "<td>vehicle/pose</td><td>65</td><td>2</td><td>1.15</td><td>21.5, in the ten seconds from t = 80</td>",
-                      "<td>SETTLING</td><td>120</td>", "<td>brier score</td><td>0.125</td>",
-                      "<td>tether.drag_normal</td><td>1.2 ± 0.3</td><td>1.438 ± 0.062</td>"):
+                      "<td>SETTLING</td><td>120</td>", "began<b>2020-09-13 12:26:40 UTC</b>",
+                      "<td>120</td><td>2</td><td>0.12</td><td>0.12</td>", "<td>50 %</td><td>4</td><td>1</td><td>2</td><td>12</td>", "<td>95 %</td><td>0</td><td>0</td><td>0</td><td>-</td>",
+                      "<td>tether.drag_normal</td><td></td><td>1.20 ± 0.30</td><td>1.438 ± 0.062</td>",
+                      "<td>tension.bias</td><td>N</td><td>0 ± 180</td><td>the dive does not tell</td>"):
             self.assertIn(words, text)
         data = json.loads(re.search(r'id="shape-data">(.*?)</script>', text).group(1))
         self.assertEqual(len(data["frames"]), 120)

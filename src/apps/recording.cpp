@@ -15,6 +15,8 @@ namespace tether_monitor::apps
 {
 namespace
 {
+constexpr double LEAST_USEFUL_SHARE = 0.5;  // of the rows
+
 volatile std::sig_atomic_t is_interrupted = 0;
 
 void interrupt(int)
@@ -47,19 +49,26 @@ void showProgress(double share)
                share >= 1.0 ? "\n" : "");
 }
 
-// Makes the files of a replay, which `replay` fills.
+// Makes the files of a replay, which `replay` fills; it returns warnings.
 template <class Replay>
-void record(const Results& results, monitor::TetherEstimator& estimator, const Replay& replay)
+ReplayReport record(const Results& results, monitor::TetherEstimator& estimator, const Replay& replay)
 {
   replay::ResultRecorder recorder(results.folder, results.shape_rate, columnsOf(estimator.config().vehicle_mode));
   if (results.forecast)
     recorder.addForecasts(estimator.config());
-  replay(recorder);
+  ReplayReport report;
+  report.warnings = replay(recorder);
   recorder.finish(estimator, isInterrupted());
+  report.files = recorder.files();
+  report.status = recorder.statusText();
+  if (recorder.shareOf(monitor::Status::OK) + recorder.shareOf(monitor::Status::STOWED) < LEAST_USEFUL_SHARE)
+    report.warnings.push_back("the estimate is of little use: " + report.status +
+                              "; each reason has a section in doc/troubleshooting.md");
+  return report;
 }
 
-void replayMotionFile(const std::string& path, const replay::ReplayOptions& options, const Results& results,
-                      monitor::TetherEstimator& estimator)
+ReplayReport replayMotionFile(const std::string& path, const replay::ReplayOptions& options,
+                              const Results& results, monitor::TetherEstimator& estimator)
 {
   const bool are_measurements = estimator.vehicle().acceptsLateMeasurements();
   const files::CsvTable table =
@@ -68,14 +77,15 @@ void replayMotionFile(const std::string& path, const replay::ReplayOptions& opti
   std::optional<replay::RecordedMeasurements> measurements;
   if (are_measurements)
     measurements.emplace(table);
-  record(results, estimator,
-         [&](replay::ResultRecorder& recorder)
-         {
-           if (measurements)
-             replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
-           else
-             replay::replayMotion(motion, options, estimator, recorder);
-         });
+  return record(results, estimator,
+                [&](replay::ResultRecorder& recorder)
+                {
+                  if (measurements)
+                    replay::replayMeasurements(*measurements, motion, options, estimator, recorder);
+                  else
+                    replay::replayMotion(motion, options, estimator, recorder);
+                  return std::vector<std::string>();
+                });
 }
 }  // namespace
 
@@ -122,17 +132,14 @@ bool isInterrupted()
   return is_interrupted != 0;
 }
 
-std::vector<std::string> replayRecording(const Recording& recording, const replay::ReplayOptions& options,
-                                         const Results& results, monitor::TetherEstimator& estimator)
+ReplayReport replayRecording(const Recording& recording, const replay::ReplayOptions& options,
+                             const Results& results, monitor::TetherEstimator& estimator)
 {
-  std::vector<std::string> warnings;
   if (!recording.motion.empty())
-    replayMotionFile(recording.motion, options, results, estimator);
-  else
-    record(results, estimator,
-           [&](replay::ResultRecorder& recorder)
-           { warnings = replayBag(recording.bag, recording.ns, options, estimator, recorder); });
-  return warnings;
+    return replayMotionFile(recording.motion, options, results, estimator);
+  return record(results, estimator,
+                [&](replay::ResultRecorder& recorder)
+                { return replayBag(recording.bag, recording.ns, options, estimator, recorder); });
 }
 
 }  // namespace tether_monitor::apps

@@ -38,13 +38,20 @@ replay::ReplayOptions replayOptions(bool quiet);
 bool isInterrupted();
 constexpr int INTERRUPTED = 130;  ///< exit code, as the shell has it.
 
+/// What a replay leaves for its user to read.
+struct ReplayReport
+{
+  std::vector<std::string> warnings;
+  std::vector<std::string> files;  ///< in the folder of the results.
+  std::string status;              ///< see replay::ResultRecorder::statusText().
+};
+
 /**
  * Runs an estimator over a recording and writes the files of a replay.
  *
- * @return  warnings for the user.
  * @throws  std::runtime_error naming what cannot be read or written.
  */
-std::vector<std::string> replayRecording(const Recording& recording, const replay::ReplayOptions& options,
-                                         const Results& results, monitor::TetherEstimator& estimator);
+ReplayReport replayRecording(const Recording& recording, const replay::ReplayOptions& options,
+                             const Results& results, monitor::TetherEstimator& estimator);
 
 }  // namespace tether_monitor::apps

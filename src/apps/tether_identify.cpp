@@ -57,7 +57,7 @@ int identify(const Arguments& arguments)
   {
     monitor::TetherEstimator estimator(tried);
     for (const std::string& warning :
-         apps::replayRecording(arguments.recording, options, arguments.results, estimator))
+         apps::replayRecording(arguments.recording, options, arguments.results, estimator).warnings)
       if (pass == 0)
         std::cerr << "warning: " << apps::printable(warning) << "\n";
     ++pass;

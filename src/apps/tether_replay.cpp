@@ -30,13 +30,16 @@ void replay(const Arguments& arguments)
   replay::ReplayOptions options = apps::replayOptions(arguments.quiet);
   options.parting = arguments.parting;
   options.rate = arguments.rate;
-  for (const std::string& warning :
-       apps::replayRecording(arguments.recording, options, arguments.results, estimator))
+  const apps::ReplayReport report =
+      apps::replayRecording(arguments.recording, options, arguments.results, estimator);
+  for (const std::string& warning : report.warnings)
     std::cerr << "warning: " << apps::printable(warning) << "\n";
-  if (!arguments.quiet)
-    std::cout << "wrote ends.csv, alarms.csv, summary.json"
-              << (arguments.results.shape_rate > 0.0 ? " and shape.csv" : "") << " to " << arguments.results.folder
-              << "\n";
+  if (arguments.quiet)
+    return;
+  std::cout << "estimate: " << report.status << "\nwrote ";
+  for (const std::string& file : report.files)
+    std::cout << file << (&file == &report.files.back() ? "" : ", ");
+  std::cout << " to " << arguments.results.folder << "\n";
 }
 }  // namespace
 

@@ -106,6 +106,7 @@ void loadVehicle(ParameterReader in, monitor::Config& config)
   else if (!is_simulated)
   {
     in.addErrors({"vehicle.mode = '" + mode + "' (must be tracked, free or observed)"});
+    in.ignoreAll();
   }
   in.finish();
 }

@@ -270,14 +270,29 @@ std::vector<ParameterReader> ParameterReader::list(const char* key)
     return readers;
   }
   for (std::size_t i = 0; i < list->size(); ++i)
-    readers.push_back(ParameterReader(
-        &(*list)[i], (path_.empty() ? "" : path_ + ".") + key + "[" + std::to_string(i) + "]", errors_));
+  {
+    const Value& entry = (*list)[i];
+    const std::string name = std::string(key) + "[" + std::to_string(i) + "]";
+    if (!entry.get<Value::Map>())
+    {
+      addError(name.c_str(),
+               " = " + entry.show() + " is not a map of keys, as every entry of this list has to be");
+      break;
+    }
+    readers.push_back(ParameterReader(&entry, (path_.empty() ? "" : path_ + ".") + name, errors_));
+  }
   return readers;
 }
 
 void ParameterReader::addErrors(const std::vector<std::string>& errors)
 {
   errors_->insert(errors_->end(), errors.begin(), errors.end());
+}
+
+void ParameterReader::ignoreAll()
+{
+  for (const auto& [key, value] : *level_->get<Value::Map>())
+    known_.insert(key);
 }
 
 void ParameterReader::finish()

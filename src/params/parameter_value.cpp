@@ -14,8 +14,8 @@ std::string Value::show() const
     return std::to_string(*whole);
   if (const auto* flag = get<bool>())
     return *flag ? "true" : "false";
-  if (get<List>())
-    return "a list";
+  if (const auto* list = get<List>())
+    return "a list of " + std::to_string(list->size());
   if (get<Map>())
     return "a map";
   return "nothing";

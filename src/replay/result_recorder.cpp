@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 #include "tether_monitor/replay/cpu_clock.h"
@@ -13,11 +16,23 @@ namespace tether_monitor::replay
 namespace
 {
 constexpr double PARAMETER_PERIOD = 1.0;  // [s]
+constexpr double EARLIEST = 1e8;          // [s since 1970]; before it a clock is a simulated one
+constexpr monitor::Status ALL_STATUSES[] = {monitor::Status::OK, monitor::Status::DEGRADED,
+                                            monitor::Status::INVALID, monitor::Status::STOWED};
 
 std::string prepared(const std::string& folder)
 {
   files::makeFolder(folder);
   return folder;
+}
+
+// "OK 98.8 %"
+std::string percentage(const std::string& what, long count, long all)
+{
+  std::ostringstream text;
+  text << what << " " << std::fixed << std::setprecision(1)
+       << 100.0 * static_cast<double>(count) / static_cast<double>(all) << " %";
+  return text.str();
 }
 
 nlohmann::json orNull(double value)
@@ -27,17 +42,27 @@ nlohmann::json orNull(double value)
 }  // namespace
 
 ResultRecorder::ResultRecorder(const std::string& folder, double shape_rate, VehicleColumns vehicle)
-  : folder_(prepared(folder)), lock_(folder), shape_rate_(shape_rate), ends_(folder, vehicle), alarms_(folder)
+  : folder_(prepared(folder)), lock_(folder), shape_rate_(shape_rate), vehicle_(vehicle)
 {
-  if (shape_rate > 0.0)
-    shape_ = std::make_unique<ShapeFile>(folder);
-  if (vehicle == VehicleColumns::OBSERVED)
-    parameters_ = std::make_unique<ParametersFile>(folder);
 }
 
 void ResultRecorder::addForecasts(const monitor::Config& config)
 {
-  forecasts_ = std::make_unique<ForecastRecorder>(folder_, config);
+  forecast_config_ = config;
+}
+
+void ResultRecorder::open()
+{
+  if (ends_)
+    return;
+  ends_ = std::make_unique<EndsFile>(folder_, vehicle_);
+  alarms_ = std::make_unique<AlarmsFile>(folder_);
+  if (shape_rate_ > 0.0)
+    shape_ = std::make_unique<ShapeFile>(folder_);
+  if (vehicle_ == VehicleColumns::OBSERVED)
+    parameters_ = std::make_unique<ParametersFile>(folder_);
+  if (forecast_config_)
+    forecasts_ = std::make_unique<ForecastRecorder>(folder_, *forecast_config_);
 }
 
 void ResultRecorder::startTimer()
@@ -54,6 +79,7 @@ void ResultRecorder::stopTimer()
 
 void ResultRecorder::accumulate(const monitor::TetherEstimator& estimator)
 {
+  open();
   const monitor::TetherEstimate& e = estimator.estimate();
   if (std::isnan(first_time_))
     first_time_ = e.time;
@@ -64,15 +90,16 @@ void ResultRecorder::accumulate(const monitor::TetherEstimator& estimator)
     max_tension_t_ = e.time;
     max_tension_s_ = e.max_tension_s;
   }
-  alarms_.write(e.time, estimator.alarms());
+  alarms_->write(e.time, estimator.alarms());
   if (forecasts_)
     forecasts_->observe(estimator);
 }
 
 void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
 {
+  open();
   const monitor::TetherEstimate& e = estimator.estimate();
-  ends_.write(e);
+  ends_->write(e);
   ++status_count_[static_cast<int>(e.status)];
   if (e.reason != monitor::Reason::NONE)
     ++reason_count_[describe(e.reason)];
@@ -96,9 +123,12 @@ void ResultRecorder::writeRow(const monitor::TetherEstimator& estimator)
 
 void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool interrupted)
 {
+  open();
   nlohmann::json summary;
   if (interrupted)
     summary["interrupted"] = true;
+  if (epoch_ && *epoch_ > EARLIEST)
+    summary["epoch"] = *epoch_;
   summary["simulated_seconds"] = orNull(last_time_ - first_time_);
   summary["cpu_seconds"] = cpu_seconds_;
   summary["working_load"] = estimator.config().tether.working_load;
@@ -113,8 +143,7 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
   summary["max_tension"] = orNull(max_tension_);
   summary["max_tension_t"] = orNull(max_tension_t_);
   summary["max_tension_s"] = orNull(max_tension_s_);
-  for (const monitor::Status status :
-       {monitor::Status::OK, monitor::Status::DEGRADED, monitor::Status::INVALID, monitor::Status::STOWED})
+  for (const monitor::Status status : ALL_STATUSES)
     summary["status"][describe(status)] = status_count_[static_cast<int>(status)];
   summary["reason"] = nlohmann::json::object();
   for (const auto& [reason, count] : reason_count_)
@@ -126,8 +155,8 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
   out.close();
   if (!out)
     throw std::runtime_error("cannot write " + folder_ + "/summary.json");
-  ends_.close();
-  alarms_.close();
+  ends_->close();
+  alarms_->close();
   if (shape_)
     shape_->close();
   if (contacts_)
@@ -138,6 +167,42 @@ void ResultRecorder::finish(const monitor::TetherEstimator& estimator, bool inte
     forecasts_->close();
   if (!inputs_.empty())
     inputs_.write(folder_);
+}
+
+std::vector<std::string> ResultRecorder::files() const
+{
+  std::vector<std::string> names{"summary.json", "ends.csv", "alarms.csv"};
+  for (const auto& [is_there, name] : {std::pair<bool, const char*>{shape_ != nullptr, "shape.csv"},
+                                       {parameters_ != nullptr, "parameters.csv"},
+                                       {contacts_ != nullptr, "contacts.csv"},
+                                       {forecasts_ != nullptr, "forecast.csv"},
+                                       {!inputs_.empty(), "inputs.csv"}})
+    if (is_there)
+      names.emplace_back(name);
+  return names;
+}
+
+double ResultRecorder::shareOf(monitor::Status status) const
+{
+  const long rows = std::accumulate(status_count_.begin(), status_count_.end(), 0L);
+  return rows > 0 ? static_cast<double>(status_count_[static_cast<int>(status)]) / static_cast<double>(rows) : 0.0;
+}
+
+std::string ResultRecorder::statusText() const
+{
+  const long rows = std::accumulate(status_count_.begin(), status_count_.end(), 0L);
+  std::string text;
+  for (const monitor::Status status : ALL_STATUSES)
+    if (const long count = status_count_[static_cast<int>(status)])
+      text += (text.empty() ? "" : ", ") + percentage(describe(status), count, rows);
+  std::vector<std::pair<long, std::string>> reasons;
+  for (const auto& [reason, count] : reason_count_)
+    reasons.emplace_back(count, reason);
+  std::sort(reasons.rbegin(), reasons.rend());
+  std::string why;
+  for (const auto& [count, reason] : reasons)
+    why += (why.empty() ? " (" : ", ") + percentage(reason, count, rows);
+  return text + why + (why.empty() ? "" : ")");
 }
 
 }  // namespace tether_monitor::replay

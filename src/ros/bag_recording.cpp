@@ -15,6 +15,11 @@ namespace tether_monitor
 {
 namespace
 {
+std::string rooted(const std::string& topic)
+{
+  return topic.empty() || topic[0] != '/' ? "/" + topic : topic;
+}
+
 // A transform of the frame of a body is a pose of it, once all transforms are known.
 void addTransformPose(Body body, const ros::Time& stamp, const ros::Time& recorded, BagRecording& recording)
 {
@@ -56,6 +61,20 @@ std::multimap<std::string, const InputSource*> sourcesByTopic(const std::vector<
     found.emplace(published[0] == '/' ? published : prefix + published, &source);
   }
   return found;
+}
+
+// Topics that the configuration names and the bag does not have.
+std::vector<std::string> missingTopics(const std::multimap<std::string, const InputSource*>& by_topic,
+                                       rosbag::View& all)
+{
+  std::set<std::string> topics;
+  for (const rosbag::ConnectionInfo* connection : all.getConnections())
+    topics.insert(rooted(connection->topic));
+  std::vector<std::string> texts;
+  for (const auto& [topic, source] : by_topic)
+    if (!source->config.from.empty() && topics.count(topic) == 0)
+      texts.push_back("the bag has no topic " + topic + ", from which " + source->config.topic + " is to be read");
+  return texts;
 }
 
 void addMessage(const rosbag::MessageInstance& m, const InputSource& source, BagRecording& recording)
@@ -170,7 +189,7 @@ void BagRecording::refuse(const std::string& topic, const InputError& why)
 
 std::vector<std::string> BagRecording::warnings() const
 {
-  std::vector<std::string> texts;
+  std::vector<std::string> texts = missing;
   for (const auto& [topic, refusal] : refusals)
     texts.push_back(std::to_string(refusal.count) + " message(s) on " + topic +
                     " refused, last: " + refusal.last_reason);
@@ -185,14 +204,14 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
   const std::string prefix = prefixOf(ns);
   const auto by_topic = sourcesByTopic(sources, prefix);
   rosbag::View all(bag);
+  missing = missingTopics(by_topic, all);
   visitMessages(path, all,
                 [&](const rosbag::MessageInstance& m)
                 {
-                  const std::string& topic = m.getTopic();
-                  const std::string rooted = topic.empty() || topic[0] != '/' ? "/" + topic : topic;
-                  if (rooted == "/tf" || rooted == "/tf_static")
-                    addTransformsOf(m, rooted == "/tf_static", *this);
-                  const auto [first, last] = by_topic.equal_range(rooted);
+                  const std::string topic = rooted(m.getTopic());
+                  if (topic == "/tf" || topic == "/tf_static")
+                    addTransformsOf(m, topic == "/tf_static", *this);
+                  const auto [first, last] = by_topic.equal_range(topic);
                   for (auto source = first; source != last; ++source)
                     addMessage(m, *source->second, *this);
                   return true;

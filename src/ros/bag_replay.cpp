@@ -133,6 +133,7 @@ std::vector<std::string> replayBag(const std::string& path, const std::string& n
   adapter.setTimeBase(base);
   const Feed feed{recording, adapter, base, recorder.inputs()};
   estimator.setEpoch(base.epoch());
+  recorder.setEpoch(base.epoch());
   double begin = base.seconds(std::max(vessel.first, vehicle.first));
   if (!as_it_arrived)
   {

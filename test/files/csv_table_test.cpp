@@ -49,6 +49,7 @@ TEST(CsvTable, FaultsAreNamedWithFileAndLine)
   EXPECT_EQ(faultOf("a,b\n1,2m\n"), ", line 2: column b = '2m' is not a number");
   EXPECT_EQ(faultOf("a,b\n1,inf\n"), ", line 2: column b = 'inf' is not finite");
   EXPECT_EQ(faultOf("a,b\n,2\n"), ", line 2: column a is empty");
+  EXPECT_EQ(faultOf("a;b\n1;2\n"), ", line 1: its columns are separated by semicolons or tabs; commas are needed");
   const std::string nowhere = ownFile("nowhere.csv");
   EXPECT_NE(errorOf([&] { readCsv(nowhere); }).find(nowhere), std::string::npos);
 }

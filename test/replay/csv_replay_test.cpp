@@ -109,6 +109,38 @@ TEST(ReplayRun, APartingThatCannotBeIsRefused)
   EXPECT_THROW(replayMotion(motion, options, estimator, recorder), std::runtime_error);
 }
 
+TEST(ReplayRun, SaysWhichFilesThereAreAndWhatTheyAreWorth)
+{
+  const Motion motion(files::readCsv(motionFile(0.5)));
+  monitor::TetherEstimator estimator(monitor::testConfig());
+  ResultRecorder recorder(::testing::TempDir() + "tether_monitor_worth", 0.0);
+  EXPECT_EQ(recorder.shareOf(monitor::Status::OK), 0.0);
+  EXPECT_EQ(recorder.statusText(), "");
+  replayMotion(motion, {}, estimator, recorder);
+  recorder.finish(estimator);
+  EXPECT_EQ(recorder.files(), (std::vector<std::string>{"summary.json", "ends.csv", "alarms.csv"}));
+  EXPECT_EQ(recorder.shareOf(monitor::Status::OK), 1.0);
+  EXPECT_EQ(recorder.statusText(), "OK 100.0 %");
+  for (double t = 20.5; t <= 60.0; t += 0.5)
+    estimator.tick(t);
+  for (int i = 0; i < 41; ++i)
+    recorder.writeRow(estimator);
+  EXPECT_EQ(recorder.statusText(), "OK 50.0 %, INVALID 50.0 % (NO_INPUT 50.0 %)");
+}
+
+TEST(ReplayRun, ARunWithoutAnEstimateLeavesTheResultsOfAnother)
+{
+  const std::string folder = ::testing::TempDir() + "tether_monitor_kept";
+  std::filesystem::remove_all(folder);
+  const std::size_t rows = run(0.5, 0.0, folder).rows.size();
+  {
+    const ResultRecorder recorder(folder, 1.0);
+  }
+  EXPECT_EQ(files::readCsv(folder + "/ends_numbers.csv").rows.size(), rows);
+  EXPECT_GT(std::filesystem::file_size(folder + "/ends.csv"), 1000u);
+  EXPECT_GT(std::filesystem::file_size(folder + "/shape.csv"), 1000u);
+}
+
 TEST(ReplayRun, AFolderThatCannotBeMadeIsNamed)
 {
   const std::string file = ::testing::TempDir() + "tether_monitor_a_file";

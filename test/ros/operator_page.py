@@ -283,6 +283,8 @@ class OperatorPage(unittest.TestCase):
             self.assertIn("over tension", page.text("#alarms tbody"))
             self.assertIn("107 %", page.text("#alarms tbody"))
             self.assertTrue(page.wait_for("document.querySelector('#parameters tbody').textContent.includes('1.62 ± 0.14')"))
+            self.assertRegex(page.text("#max-place"), r"; 95 % below \d\.\d\d kN, \d+ %$")
+            self.assertIn("do something", page.text("#alarms tr.advice"))
             self.assertTrue(page.wait_for("document.getElementById('inputs').textContent.includes('vehicle/pose')"))
             self.assertTrue(page.wait_for("document.querySelectorAll('#plan .fix').length === 5"))
             self.assertEqual(page.value("document.querySelectorAll('#elevation .obstacle').length"), 1)

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -249,12 +250,29 @@ class Tools(unittest.TestCase):
             for topic in ("/vessel/pose", "/vehicle/pose"):
                 bag.write(topic, pose, rospy.Time(1))
         self.refused(self.replay("--bag", foreign), "was refused", "frame_id is empty")
+        self.assertEqual(os.listdir(self.out), [], "files of results without a result")
 
     def test_a_topic_of_another_type_is_named_with_both(self):
         path = os.path.join(self.folder.name, "type.bag")
         with rosbag.Bag(path, "w") as bag:
             bag.write("/vessel/pose", String("hello"), rospy.Time(1))
         self.refused(self.replay("--bag", path), "std_msgs/String", "geometry_msgs/PoseStamped")
+
+    def test_a_topic_that_the_bag_has_not_and_a_useless_result_are_told(self):
+        with open(TANK) as text:
+            tree = yaml.safe_load(text)
+        tree["inputs"] = [{"topic": "vehicle/velocity", "from": "/robot/twst"}]
+        tree["tether"]["length"] = 0.5
+        ended = self.replay("--bag", TANK_BAG, config=self.file("typo.yaml", yaml.safe_dump(tree)))
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertIn("the bag has no topic /robot/twst, from which vehicle/velocity is to be read", ended.stdout)
+        self.assertRegex(ended.stdout, "of little use: .*[A-Z]+ [0-9.]+ %")
+
+    def test_what_was_written_is_named(self):
+        ended = run("tether_replay", "--config", TANK, "--bag", TANK_BAG, "--out", self.out)
+        self.assertRegex(ended.stdout, r"estimate: OK [0-9.]+ %")
+        named = re.search("wrote (.*) to", ended.stdout).group(1).split(", ")
+        self.assertEqual(sorted(named), sorted(os.listdir(self.out)))
 
     def test_one_record_of_the_year_2096_does_not_lose_the_run(self):
         path = os.path.join(self.folder.name, "far.bag")

@@ -57,12 +57,18 @@ export class AlarmList {
     mark.textContent = alarm.severity;
     row.insertCell().appendChild(mark);
     const notes = [WORDS[alarm.state], alarm.first_out ? "came first" : "", alarm.chattering ? "chatters" : ""].filter(Boolean).join(", ");
-    cell(row, alarm.name.replace(/_/g, " "), notes + (alarm.advice ? ". " + alarm.advice : ""));
+    cell(row, alarm.name.replace(/_/g, " "), notes);
     cell(row, valueWithUnit(alarm.value, alarm.unit), alarm.s === null ? "" : "s = " + Math.round(alarm.s) + " m").className = "value";
     cell(row, valueWithUnit(alarm.limit, alarm.unit)).className = "value";
     cell(row, valueWithUnit(alarm.peak, alarm.unit)).className = "value";
     cell(row, duration(alarm.onset > 0 ? now - alarm.onset : null)).className = "value";
     const actions = row.insertCell();
+    if (alarm.advice) {
+      const advice = this.body.insertRow();
+      advice.className = "advice";
+      advice.insertCell();
+      cell(advice, alarm.advice).colSpan = 6;
+    }
     if (!this.mayAct) return;
     actions.className = "actions";
     const choices = alarm.state === "SHELVED" ? [["Unshelve", "unshelve", 0]]

@@ -1,6 +1,6 @@
 // What is text: status, figures, the tether, what was learnt, inputs.
 import { worst } from "./alarm_list.js";
-import { degrees, duration, figures, force, UNKNOWN, withBand, withUnit } from "./units.js";
+import { degrees, duration, figures, force, parameterUnit, UNKNOWN, withBand, withUnit } from "./units.js";
 
 const id = (name) => document.getElementById(name);
 const WARNING_SHARE = 0.8, LIKELY = 0.5, POSSIBLE = 0.05;
@@ -32,18 +32,25 @@ function drawEnd(state, end) {
 
 const isOfNow = (forecast, state) => Boolean(forecast) && forecast.members > 0 && Math.abs(state.t - forecast.t) < FORECAST_LIFE;
 
+// What warnings look at, in the same share as they are told in.
+function reach(state) {
+  if (state.max_tension_p95 === null || !(state.max_tension > 0)) return "";
+  return "; 95 % below " + force(state.max_tension_p95) + ", " + figures(100 * state.working_utilisation * state.max_tension_p95 / state.max_tension, 2) + " %";
+}
+
 export function drawFigures(state, forecast) {
   drawEnd(state, "vessel");
   drawEnd(state, "vehicle");
   id("max-tension").textContent = force(state.max_tension);
   id("max-place").textContent = state.max_tension === null ? ""
-    : figures(100 * state.working_utilisation, 2) + " % of the working load, at s = " + Math.round(state.max_tension_s) + " m";
+    : figures(100 * state.working_utilisation, 2) + " % of the working load, at s = " + Math.round(state.max_tension_s) + " m" + reach(state);
   level(id("max-tension"), state.working_utilisation || 0);
   const isThere = isOfNow(forecast, state);
   const probability = isThere ? forecast.probability_over_tension : null;
   id("probability").textContent = probability === null ? UNKNOWN : figures(100 * probability, 2) + " %";
   id("time-to-limit").textContent = !isThere ? "no forecast" : forecast.time_to_limit !== null ? "limit in " + duration(forecast.time_to_limit)
     : "within " + duration(forecast.horizon) + advice(forecast);
+  id("forecast-figure").title = isThere ? forecast.members + " members of the ensemble were carried on" : "";
   id("forecast-figure").dataset.level = probability >= LIKELY ? "limit" : probability >= POSSIBLE ? "warning" : "";
 }
 
@@ -79,7 +86,7 @@ export function drawParameters(parameters) {
   section.querySelector("tbody").replaceChildren(...(parameters || []).filter((p) => p.configured_stddev > 0).map((p) => {
     const row = document.createElement("tr");
     row.title = p.name;
-    for (const text of [p.name.replace(/^(tether|environment)\./, "").replace(/[._]/g, " "), withBand(p.mean, p.stddev), withBand(p.configured, p.configured_stddev)])
+    for (const text of [p.name.replace(/^(tether|environment)\./, "").replace(/[._]/g, " "), withBand(p.mean, p.stddev, parameterUnit(p.name)), withBand(p.configured, p.configured_stddev, parameterUnit(p.name))])
       row.insertCell().textContent = text;
     return row;
   }));

@@ -4,6 +4,7 @@ import { tick } from "./units.js";
 
 const STDDEVS = 2;
 const LONGEST_FORECAST = 5;  // after its time that it is drawn [s]
+const CLEARLY = 0.2;  // share of x in the direction of the tether
 const SIDES = 16;  // of an ellipse
 // Light to dark with the share of the working load, the colour of a limit beyond it.
 const RAMP = ["#9ecae1", "#4a90c4", "#225ea8", "#2b2f77"];
@@ -14,11 +15,15 @@ export function utilisationColour(share, isNight) {
   return window.d3.scale.linear().domain([0, 1 / 3, 2 / 3, 1]).range(isNight ? NIGHT_RAMP : RAMP)(Math.max(0, share));
 }
 
-// Horizontal direction from the vessel end to the vehicle end.
-function chord(position) {
+// Horizontal direction along the tether that points as x does: what is on the right in plan is on the right in elevation.
+// It turns round only when it clearly points the other way.
+function chord(position, before) {
   const a = position[0], b = position[position.length - 1];
   const size = Math.hypot(b[0] - a[0], b[1] - a[1]);
-  return size > 1 ? [(b[0] - a[0]) / size, (b[1] - a[1]) / size] : [1, 0];
+  if (size <= 1) return [1, 0];
+  const u = [(b[0] - a[0]) / size, (b[1] - a[1]) / size];
+  const turned = Math.abs(u[0]) < CLEARLY && before ? u[0] * before[0] + u[1] * before[1] < 0 : u[0] < 0;
+  return turned ? [-u[0], -u[1]] : u;
 }
 
 const VIEWS = {
@@ -84,7 +89,8 @@ export class ShapeView {
     const picture = canvas(this.place);
     if (!picture || !state || state.position.length < 2) return;
     const { svg, width, height } = picture;
-    const origin = state.position[0], u = chord(state.position);
+    const origin = state.position[0], u = chord(state.position, this.direction);
+    this.direction = u;
     const flat = (p) => this.view.place(p, origin, u);
     const line = state.position.map(flat);
     const spreads = state.position_stddev.map((sd) => this.view.spread(sd.map((value) => STDDEVS * (value || 0)), u));

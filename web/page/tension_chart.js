@@ -3,6 +3,7 @@ import { add, axes, canvas, legend } from "./svg.js";
 import { force, tick } from "./units.js";
 
 const BACK = 60, AHEAD = 30;  // [s]
+const TEXT_HEIGHT = 18;
 
 const isKnown = (value) => value !== null && value !== undefined;
 
@@ -63,7 +64,8 @@ export class TensionChart {
     for (const limit of limits) {
       if (limit.value > top) continue;
       add(svg, "line", { class: "limit", x1: box.left, x2: box.right, y1: y(limit.value), y2: y(limit.value) });
-      add(svg, "text", { class: "limit-text", x: box.left + 8, y: y(limit.value) - 5 }, limit.text + " " + force(limit.value));
+      const above = y(limit.value) - 5, isRoom = above - TEXT_HEIGHT > 0;
+      add(svg, "text", { class: "limit-text", x: box.left + 8, y: isRoom ? above : above + TEXT_HEIGHT + 7 }, limit.text + " " + force(limit.value));
     }
   }
 }

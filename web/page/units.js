@@ -37,10 +37,18 @@ export function valueWithUnit(value, unit) {
 }
 
 // With as many decimals as its standard deviation has in two figures.
-export function withBand(value, stddev) {
+export function withBand(value, stddev, unit = "") {
   if (value === null || stddev === null) return UNKNOWN;
   const decimals = stddev > 0 ? Math.min(Math.max(1 - Math.floor(Math.log10(stddev)), 0), 6) : 3;
-  return value.toFixed(decimals) + " ± " + stddev.toFixed(decimals);
+  return (value.toFixed(decimals) + " ± " + stddev.toFixed(decimals) + " " + unit).trim();
+}
+
+// Of what the estimator has learnt; drag coefficients and the factor on the vehicle's drag have none.
+const PARAMETER_UNITS = [[/^environment\.current/, "m/s"], [/^vehicle\.force|^tension\.bias/, "N"], [/mass_per_length$/, "kg/m"], [/length$/, "m"]];
+
+export function parameterUnit(name) {
+  const found = PARAMETER_UNITS.find(([pattern]) => pattern.test(name));
+  return found ? found[1] : "";
 }
 
 export function duration(seconds) {

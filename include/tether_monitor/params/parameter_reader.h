@@ -75,6 +75,8 @@ class ParameterReader
   void addErrors(const std::vector<std::string>& errors);
   /// Errors so far, of this reader and all that came from it or share its tree.
   const std::vector<std::string>& errors() const { return *errors_; }
+  /// For a level that cannot be understood: no key of it is reported by finish().
+  void ignoreAll();
   /// Reports every key of this level that was not asked for.
   void finish();
 

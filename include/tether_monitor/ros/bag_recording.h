@@ -50,7 +50,7 @@ struct BagRecording
   /// @throws std::runtime_error naming the bag: unreadable, truncated, without poses.
   void read(const std::string& path, const std::string& ns, bool needs_vehicle);
   void refuse(const std::string& topic, const InputError& why);
-  /// Topics on which messages were refused, with count and last reason.
+  /// Topics that are told and missing; those on which messages were refused, with count and last reason.
   std::vector<std::string> warnings() const;
 
   BagStream& at(InputStream stream) { return streams[static_cast<std::size_t>(stream)]; }
@@ -62,6 +62,7 @@ struct BagRecording
   TransformPoseReader transform_poses;
   InputSource vessel_frame, vehicle_frame;  ///< whose messages are transforms.
   std::map<std::string, RefusalCount> refusals;
+  std::vector<std::string> missing;  ///< warnings.
 };
 
 }  // namespace tether_monitor

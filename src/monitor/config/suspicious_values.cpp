@@ -1,6 +1,7 @@
 #include "tether_monitor/monitor/config/suspicious_values.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tether_monitor/core/base/bounds_check.h"
 
@@ -27,7 +28,8 @@ void checkProperties(const std::string& prefix, const core::CableProperties& p, 
   else if (density < LIGHTEST || density > HEAVIEST)
     found.push_back(prefix + "diameter = " + formatNumber(p.diameter) +
                     " m and mass_per_length = " + formatNumber(p.mass_per_length) + " kg/m make a density of " +
-                    formatNumber(density) + " kg/m^3: is the mass per km, or the diameter in another unit?");
+                    formatNumber(std::round(10.0 * density) / 10.0) +
+                    " kg/m^3: is the mass per km, or the diameter in another unit?");
   const double modulus = p.axial_stiffness / p.displacedArea();
   if (p.diameter <= THICKEST && (modulus < SOFTEST || modulus > STIFFEST))
     found.push_back(prefix + "axial_stiffness = " + formatNumber(p.axial_stiffness) +
@@ -64,9 +66,10 @@ std::vector<std::string> suspiciousValues(const Config& config)
   {
     const double density = config.vehicle_body.mass / config.vehicle_body.volume;
     if (density < LIGHTEST_BODY || density > HEAVIEST_BODY)
-      found.push_back("vehicle.mass = " + formatNumber(config.vehicle_body.mass) + " kg and vehicle.volume = " +
-                      formatNumber(config.vehicle_body.volume) + " m^3 make a density of " +
-                      formatNumber(density) + " kg/m^3: is one of them in another unit?");
+      found.push_back("vehicle.mass = " + formatNumber(config.vehicle_body.mass) +
+                      " kg and vehicle.volume = " + formatNumber(config.vehicle_body.volume) +
+                      " m^3 make a density of " + formatNumber(std::round(10.0 * density) / 10.0) +
+                      " kg/m^3: is one of them in another unit?");
     if (config.vehicle_body.center_of_buoyancy.z() <= 0.0 && config.vehicle.attachment.z() <= 0.0)
       found.push_back(
           "neither vehicle.center_of_buoyancy (z up) nor vehicle.attachment is above the centre of mass: "

@@ -8,11 +8,19 @@ namespace tether_monitor::monitor
 namespace
 {
 constexpr double NORMAL_P95 = 1.6448536;
-constexpr double LARGER = 2.0, MORE = 0.3;  // of the squared distance from the medians: too far to stay
+constexpr double LEAST_VARIANCE = 1e-6;  // [m^2]
 
 double stddevAbout(double median, const Eigen::RowVectorXd& values, double own)
 {
   return std::sqrt(std::pow(values.mean() - median, 2) + varianceOf(values) + own * own);
+}
+
+// Changes the order of the values.
+double medianOf(Eigen::RowVectorXd& values)
+{
+  double* const middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle;
 }
 }  // namespace
 
@@ -35,7 +43,9 @@ void EnsembleSummary::prepare(int elements, int members)
   tension_.assign(2 * elements + 1, 0.0);
   tension_stddev_ = tension_;
   position_stddev_.assign(2 * elements + 1, core::Vector3::Zero());
-  representative_ = NONE;
+  mean_position_ = position_variance_ = position_stddev_;
+  distance_ = values_;
+  representative_.prepare(elements);
 }
 
 void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors& position, const Own& own)
@@ -61,18 +71,31 @@ void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors
     const double share = shareOf(k);
     for (int i = 0; i < n; ++i)
       values_[i] = profiles_[i].tension[k];
-    std::nth_element(values_.data(), values_.data() + n / 2, values_.data() + n);
-    tension_[k] = values_[n / 2];
+    tension_[k] = medianOf(values_);
     tension_stddev_[k] = stddevAbout(tension_[k], values_, (1.0 - share) * own.vessel + share * own.vehicle);
-    core::Vector3 sum = core::Vector3::Zero(), square = core::Vector3::Zero();
-    for (int i = 0; i < n; ++i)
-      sum += profiles_[i].position[k];
-    for (int i = 0; i < n; ++i)
-      square += (profiles_[i].position[k] - sum / n).cwiseAbs2();
-    position_stddev_[k] = (square / (n - 1)).cwiseSqrt();
   }
+  for (int i = 0; i < n; ++i)
+    values_[i] = profiles_[i].max_element_rotation;
+  max_element_rotation_ = medianOf(values_);
   countContacts(members);
+  spreadPositions();
   chooseRepresentative(members, position);
+  describePositions();
+}
+
+void EnsembleSummary::spreadPositions()
+{
+  const double n = static_cast<double>(profiles_.size());
+  for (std::size_t k = 0; k < mean_position_.size(); ++k)
+  {
+    core::Vector3 sum = core::Vector3::Zero(), square = core::Vector3::Zero();
+    for (const core::StationProfile& profile : profiles_)
+      sum += profile.position[k];
+    mean_position_[k] = sum / n;
+    for (const core::StationProfile& profile : profiles_)
+      square += (profile.position[k] - mean_position_[k]).cwiseAbs2();
+    position_variance_[k] = square / (n - 1.0);
+  }
 }
 
 void EnsembleSummary::countContacts(const EnsembleMembers& members)
@@ -88,26 +111,36 @@ void EnsembleSummary::countContacts(const EnsembleMembers& members)
   }
 }
 
-// Stays with a member that is hardly farther off than the nearest.
+// Squared distances from the medians of the tensions, the mean place of the vehicle and the mean shape, each in
+// its own standard deviations.
 void EnsembleSummary::chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position)
 {
   const MemberMotion& motion = members.motion();
   const core::Vector3 place = position.rowwise().mean();
-  double variance = 1e-6;
+  const double variance = (motion.position.colwise() - place).squaredNorm() / members.size() + LEAST_VARIANCE;
+  const auto ofTension = [](double tension, const Distribution& d)
+  { return std::pow((tension - d.median) / (d.stddev + 1e-9), 2); };
+  const std::size_t stations = mean_position_.size();
   for (int i = 0; i < members.size(); ++i)
-    variance += (motion.position.col(i) - place).squaredNorm() / members.size();
-  const auto distance = [&](int i)
   {
-    return std::pow((motion.vessel_tension[i] - vessel_.median) / (vessel_.stddev + 1e-9), 2) +
-           std::pow((motion.vehicle_tension[i] - vehicle_.median) / (vehicle_.stddev + 1e-9), 2) +
-           (motion.position.col(i) - place).squaredNorm() / variance;
-  };
-  int nearest = 0;
-  for (int i = 1; i < members.size(); ++i)
-    if (distance(i) < distance(nearest))
-      nearest = i;
-  if (representative_ == NONE || distance(representative_) > LARGER * distance(nearest) + MORE)
-    representative_ = nearest;
+    double of_shape = 0.0;
+    for (std::size_t k = 0; k < stations; ++k)
+      of_shape += (profiles_[i].position[k] - mean_position_[k]).squaredNorm() /
+                  (position_variance_[k].sum() + LEAST_VARIANCE);
+    distance_[i] = ofTension(motion.vessel_tension[i], vessel_) + ofTension(motion.vehicle_tension[i], vehicle_) +
+                   (motion.position.col(i) - place).squaredNorm() / variance + of_shape / stations;
+  }
+  representative_.choose(distance_, profiles_, members.state(0).time);
+}
+
+void EnsembleSummary::describePositions()
+{
+  const core::StationProfile& shown = profiles_[representative_.index()];
+  for (std::size_t k = 0; k < position_stddev_.size(); ++k)
+  {
+    const core::Vector3 aside = shown.position[k] + representative_.offset(k) - mean_position_[k];
+    position_stddev_[k] = (position_variance_[k] + aside.cwiseAbs2()).cwiseSqrt();
+  }
 }
 
 }  // namespace tether_monitor::monitor

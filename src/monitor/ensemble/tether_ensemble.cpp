@@ -177,12 +177,12 @@ void TetherEnsemble::begin(const VehicleInitialization& start, double measured_a
   history_.markProcessed();
   summarize(core::Vector3::Zero());
   linearize(1.0);
-  simulation.state = members_.state(summary_.representative());
+  simulation.state = members_.state(summary_.representative().index());
 }
 
 void TetherEnsemble::linearize(double error_rate)
 {
-  const int i = summary_.representative();
+  const int i = summary_.representative().index();
   TetherLinearization tether = filter_.motionError().tether(), now = tether;
   if (linearizeTether(solver_, members_.cable(i), members_.state(i), error_rate, now))
   {
@@ -279,7 +279,7 @@ core::SolveReport TetherEnsemble::advance(const core::CableModel& model, const c
   }
   history_.discardBefore(filter_.earliestTime());
   summarize(vessel_stddev);
-  state = members_.state(summary_.representative());
+  state = members_.state(summary_.representative().index());
   return total;
 }
 
@@ -292,6 +292,8 @@ void TetherEnsemble::describe(const core::DeployedCable& cable, TetherEstimate& 
       force *= std::max(size, 0.0) / force.norm();
   };
   e.stations.tension = summary_.tension();
+  e.stations.max_element_rotation = summary_.maxElementRotation();
+  summary_.representative().blend(e.stations);
   scaled(e.stations.ends.vessel, summary_.vessel().median);
   scaled(e.stations.ends.vehicle, summary_.vehicle().median);
   monitor::summarize(cable, e);
@@ -337,8 +339,8 @@ bool TetherEnsemble::isInconsistent(double t) const
 
 bool TetherEnsemble::isValid(const core::CableModel& model) const
 {
-  return history_.isValid() && filter_.isValid() && members_.isValid(model) && summary_.representative() >= 0 &&
-         summary_.representative() < members_.size();
+  return history_.isValid() && filter_.isValid() && members_.isValid(model) &&
+         summary_.representative().isValid(members_.size(), model.elements());
 }
 
 }  // namespace tether_monitor::monitor

@@ -12,7 +12,7 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-const char* const FORMAT = "tether_monitor state 17";
+const char* const FORMAT = "tether_monitor state 18";
 
 // What has become of a model since it was made of the configuration.
 struct ModelChanges

@@ -5,6 +5,7 @@
 #include "tether_monitor/core/assembly/contact_summary.h"
 #include "tether_monitor/core/assembly/station_profile.h"
 #include "tether_monitor/monitor/ensemble/ensemble_members.h"
+#include "tether_monitor/monitor/ensemble/representative_member.h"
 
 namespace tether_monitor::monitor
 {
@@ -34,7 +35,10 @@ Distribution distributionOf(Eigen::RowVectorXd& values, double own);
 class EnsembleSummary
 {
  public:
-  explicit EnsembleSummary(int members) : values_(Eigen::RowVectorXd::Zero(members)) {}
+  explicit EnsembleSummary(int members)
+    : values_(Eigen::RowVectorXd::Zero(members)), distance_(Eigen::RowVectorXd::Zero(members))
+  {
+  }
 
   /// Own standard deviations of the members' tensions at the ends [N].
   struct Own
@@ -46,15 +50,16 @@ class EnsembleSummary
   void prepare(int elements, int members);
   void update(const EnsembleMembers& members, const MemberVectors& position, const Own& own);
 
-  /// The member nearest to the medians.
-  int representative() const { return representative_; }
+  const RepresentativeMember& representative() const { return representative_; }
   const Distribution& vessel() const { return vessel_; }
   const Distribution& vehicle() const { return vehicle_; }
   const Distribution& largest() const { return largest_; }
   /// Along the stations.
   const std::vector<double>& tension() const { return tension_; }
   const std::vector<double>& tensionStddev() const { return tension_stddev_; }
+  /// About what is shown: the representative member and what it is blended with.
   const std::vector<core::Vector3>& positionStddev() const { return position_stddev_; }
+  double maxElementRotation() const { return max_element_rotation_; }  ///< median [rad].
   /// Of every obstacle: share of the members that touch it.
   const std::vector<double>& contactProbability() const { return contact_probability_; }
 
@@ -62,21 +67,24 @@ class EnsembleSummary
   void serialize(Archive& a)
   {
     a(representative_, vessel_, vehicle_, largest_, tension_, tension_stddev_, position_stddev_,
-      contact_probability_);
+      max_element_rotation_, contact_probability_);
   }
 
  private:
-  static constexpr int NONE = -1;
-
   void countContacts(const EnsembleMembers& members);
   void chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position);
+  void spreadPositions();
+  void describePositions();
 
   Eigen::RowVectorXd values_;
   std::vector<core::StationProfile> profiles_;
-  int representative_ = NONE;
+  Eigen::RowVectorXd distance_;  // squared, of the members from their middle.
+  RepresentativeMember representative_;
   Distribution vessel_, vehicle_, largest_;
   std::vector<double> tension_, tension_stddev_;
+  std::vector<core::Vector3> mean_position_, position_variance_;  // of the members.
   std::vector<core::Vector3> position_stddev_;
+  double max_element_rotation_ = 0.0;  // [rad]
   core::ContactSummary contact_;
   std::vector<double> contact_probability_;
 };
