@@ -18,8 +18,27 @@ from tether_monitor.msg import Alarm, AlarmEvent, TetherForecast, TetherState
 
 TABLE_PERIOD = 5.0  # [s]
 PROBABLE = 0.3      # probability of over-tension from which on it is worth saying
+NEAR = 25.0         # of a waypoint, from where the tether is fastened [m]
 PICTURED_AFTER = 90.0  # [s]: a minute of curves is there
 STATUS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}
+
+
+class Story:
+    """What the simulation does of itself, told once when it begins."""
+
+    def __init__(self, say):
+        self.say = say
+        simulation = rospy.get_param("tether_sim/simulation")
+        way, squall = simulation["vessel"]["waypoints"], simulation["squall"]
+        first, last = way[0]["position"], way[-2]["position"]
+        self.to_come = [(lambda t, ship: math.dist(ship, first) < NEAR, "the ship begins to turn"),
+                        (lambda t, ship: math.dist(ship, last) < NEAR, "the ship comes out of its turn and makes %.1f m/s from now on" % way[-1]["speed"]),
+                        (lambda t, ship: t >= squall["from"], "a squall pushes the ship from astern"),
+                        (lambda t, ship: t >= squall["to"], "the squall is over")]
+
+    def tell(self, t, ship):
+        while self.to_come and self.to_come[0][0](t, ship):
+            self.say("%8.1f  %s" % (t, self.to_come.pop(0)[1]))
 
 
 class Watch:
@@ -31,6 +50,7 @@ class Watch:
         self.truth = []  # (time, size of the force)
         self.errors = []
         self.painting = None
+        self.story = Story(self.say)
         rospy.Subscriber("tether_sim/vessel_end/force", WrenchStamped, self.on_truth, queue_size=200)
         rospy.Subscriber("tether_monitor/forecast", TetherForecast, self.on_forecast, queue_size=5)
         rospy.Subscriber("tether_monitor/events", AlarmEvent, self.on_event, queue_size=50)
@@ -71,6 +91,8 @@ class Watch:
 
     def on_state(self, state):
         t = state.header.stamp.to_sec()
+        if state.position:
+            self.story.tell(t, (state.position[0].x, state.position[0].y))
         true = self.true_at(t)
         if state.status != TetherState.STATUS_INVALID and math.isfinite(true) and t > 30.0:
             self.errors.append((state.vessel_tension - true, state.vessel_tension_p05 <= true <= state.vessel_tension_p95))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""endurance.py HOURS SPEED: a simulated tow, watched; a row of memory, status and missed cycles for every 24th of it."""
+"""endurance.py HOURS SPEED ELEMENTS: a simulated tow, watched; a row of memory, status and missed cycles for every 24th of it."""
 import collections
 import json
 import os
@@ -27,7 +27,7 @@ SIDE = 1500.0  # [m] of the square that the vessel sails
 WORDS = {TetherState.STATUS_OK: "OK", TetherState.STATUS_DEGRADED: "DEGRADED", TetherState.STATUS_INVALID: "INVALID"}
 
 
-def scenario(hours, speed):
+def scenario(hours, speed, elements):
     with open(ROOT + "/config/scenarios/acoustic_navigation.yaml") as text:
         tree = yaml.safe_load(text)
     sim = tree["simulation"]
@@ -36,7 +36,7 @@ def scenario(hours, speed):
     laps = int(hours * 3600.0 * way / (4.0 * SIDE)) + 2
     sim["vessel"]["waypoints"] = [{"position": list(corner), "speed": way} for _ in range(laps) for corner in corners]
     sim.update(clock=speed != 1.0, lockstep=speed != 1.0, speed=speed if speed > 0.0 else 1000.0)
-    tree["tether"]["elements"] = 10
+    tree["tether"]["elements"] = elements
     tree.setdefault("solver", {})["members"] = 64
     tree["monitor"].update(rate=10.0, forecast={"members": 24})
     if speed == 1.0:
@@ -98,13 +98,13 @@ class Watch:
 
 
 def main():
-    hours, speed = float(sys.argv[1]), float(sys.argv[2])
+    hours, speed, elements = float(sys.argv[1]), float(sys.argv[2]), int(sys.argv[3])
     profile = tempfile.mkdtemp()
     processes = [subprocess.Popen(["roscore", "-p", PORT], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)]
     try:
         time.sleep(3.0)
         rospy.init_node("endurance", disable_rostime=True, disable_signals=True)
-        tree = scenario(hours, speed)
+        tree = scenario(hours, speed, elements)
         rospy.set_param("/use_sim_time", speed != 1.0)
         for node in ("tether_sim", "tether_monitor"):
             rospy.set_param("/long/" + node, tree)

@@ -148,7 +148,7 @@ bool SimulatorNode::mustWait()
 {
   const auto isLate = [this](double commanded_at)
   { return commanded_at >= 0.0 && time_ - commanded_at > LONGEST_ANSWER; };
-  const bool waits = plan_.lockstep && (time_ - monitored_ > 2.0 / config_.rate + 1e-3 ||
+  const bool waits = plan_.lockstep && (time_ - monitored_ > 1.0 / config_.rate + 1e-3 ||
                                         isLate(winch_commanded_at_) || isLate(thrust_commanded_at_));
   const ros::WallTime now = ros::WallTime::now();
   if (!waits || waits_since_.isZero())
