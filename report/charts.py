@@ -174,7 +174,7 @@ def cycle_counts(counted, unit):
 
 
 def parameters(table):
-    groups = table.groups("name")
+    groups = [(name, pick) for name, pick in table.groups("name") if (table["configured_stddev"][pick] > 0.0).any()]
     figure, axes = plt.subplots(-(-len(groups) // 3), 3, figsize=(9.0, 1.7 * -(-len(groups) // 3)), sharex=True, squeeze=False)
     t, mean, stddev, configured = (table[key] for key in ("t", "mean", "stddev", "configured"))
     for axis, (name, pick) in zip(axes.flat, groups):

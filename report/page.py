@@ -29,13 +29,11 @@ def quantity(newtons):
     return "%.3g N" % newtons
 
 
-def figures(value, stddev=None):
-    """As many decimals as the standard deviation has in two figures, or four figures; never an exponent where digits do."""
+def figures(value, stddev):
+    """As many decimals as two figures of the standard deviation need: 1.44 for 0.062, 150 for 84."""
     if not np.isfinite(value):
         return "-"
-    size = abs(value) if stddev is None else stddev
-    kept = 4 if stddev is None else 2
-    decimals = kept - 1 - int(np.floor(np.log10(size))) if size > 0.0 else 0
+    decimals = 1 - int(np.floor(np.log10(stddev))) if stddev > 0.0 else 0
     return "%.*f" % (min(max(decimals, 0), 9), round(value, decimals))
 
 
@@ -68,6 +66,10 @@ def headline(dive):
     return '<div class="figures">%s</div>' % "".join("<div>%s<b>%s</b></div>" % (html.escape(n), html.escape(v)) for n, v in shown)
 
 
+def or_dash(text):
+    return text if text and text != "nan" else "-"
+
+
 def alarms(dive):
     """Every alarm from its rise to its end, with its peak between."""
     if dive.alarms is None:
@@ -83,7 +85,7 @@ def alarms(dive):
         if name not in open_at:
             open_at[name] = len(rows)
             rows.append([name.replace("_", " "), columns["severity"][k].lower(), "%.1f" % t[k], "-", "%.4g" % value[k],
-                         columns["limit"][k] or "-", columns["s"][k] or "-"])
+                         or_dash(columns["limit"][k]), or_dash(columns["s"][k])])
     return table(["alarm", "severity", "from [s]", "to [s]", "value when raised", "limit", "s [m]"], rows) if rows else "<p>No alarm was raised.</p>"
 
 
@@ -123,7 +125,7 @@ def learnt(table_of):
         mean, stddev, configured, told = (columns[key][k] for key in ("mean", "stddev", "configured", "configured_stddev"))
         if not told > 0.0:
             continue
-        is_told = stddev < NOT_TOLD * told
+        is_told = stddev < NOT_TOLD * told or abs(mean - configured) > told
         rows.append([name, UNITS.get(name.rsplit(".", 1)[0], UNITS.get(name, "")), "%s ± %s" % (figures(configured, told), figures(told, told)),
                      "%s ± %s" % (figures(mean, stddev), figures(stddev, stddev)) if is_told else "the dive does not tell"])
     return table(["parameter", "unit", "configured", "believed at the end"], rows)

@@ -31,14 +31,17 @@ class Story:
         simulation = rospy.get_param("tether_sim/simulation")
         way, squall = simulation["vessel"]["waypoints"], simulation["squall"]
         first, last = way[0]["position"], way[-2]["position"]
+        # A simulation with a clock of its own begins at a stamp of one second.
         self.to_come = [(lambda t, ship: math.dist(ship, first) < NEAR, "the ship begins to turn"),
                         (lambda t, ship: math.dist(ship, last) < NEAR, "the ship comes out of its turn and makes %.1f m/s from now on" % way[-1]["speed"]),
-                        (lambda t, ship: t >= squall["from"], "a squall pushes the ship from astern"),
-                        (lambda t, ship: t >= squall["to"], "the squall is over")]
+                        (lambda t, ship: t >= 1.0 + squall["from"], "a squall pushes the ship from astern"),
+                        (lambda t, ship: t >= 1.0 + squall["to"], "the squall is over")]
 
     def tell(self, t, ship):
-        while self.to_come and self.to_come[0][0](t, ship):
-            self.say("%8.1f  %s" % (t, self.to_come.pop(0)[1]))
+        now = [event for event in self.to_come if event[0](t, ship)]
+        for event in now:
+            self.say("%8.1f  %s" % (t, event[1]))
+            self.to_come.remove(event)
 
 
 class Watch:

@@ -118,6 +118,7 @@ def main():
             return processes[-1]
         page = start("rosrun", "tether_monitor", "tether_web", "_port:=%d" % PAGE)
         monitor = start("rosrun", "tether_monitor", "tether_monitor_node", "__name:=tether_monitor")
+        time.sleep(5.0)  # time waits for a monitor that is there
         simulator = start("rosrun", "tether_monitor", "tether_sim_node", "__name:=tether_sim")
         threading.Thread(target=watch.client, daemon=True).start()
         browser = shutil.which("chromium") or shutil.which("google-chrome")

@@ -4,9 +4,11 @@
 
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <optional>
 
 #include "tether_monitor/files/csv_table.h"
+#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 #include "tether_monitor/ros/attachment_frames.h"
 #include "tether_monitor/ros/bag_replay.h"
@@ -15,7 +17,7 @@ namespace tether_monitor::apps
 {
 namespace
 {
-constexpr double LEAST_USEFUL_SHARE = 0.5;  // of the rows
+constexpr double MOST = 0.5;  // of the rows
 
 volatile std::sig_atomic_t is_interrupted = 0;
 
@@ -61,9 +63,11 @@ ReplayReport record(const Results& results, monitor::TetherEstimator& estimator,
   recorder.finish(estimator, isInterrupted());
   report.files = recorder.files();
   report.status = recorder.statusText();
-  if (recorder.shareOf(monitor::Status::OK) + recorder.shareOf(monitor::Status::STOWED) < LEAST_USEFUL_SHARE)
-    report.warnings.push_back("the estimate is of little use: " + report.status +
-                              "; each reason has a section in doc/troubleshooting.md");
+  const char* const advice = "; each reason has a section in doc/troubleshooting.md";
+  if (recorder.shareOf(monitor::Status::INVALID) > MOST)
+    report.warnings.push_back("most of the time there is no estimate: " + report.status + advice);
+  else if (recorder.shareOf(monitor::Status::DEGRADED) > MOST)
+    report.warnings.push_back("most of the time the estimate is worth less than usual: " + report.status + advice);
   return report;
 }
 
@@ -110,10 +114,12 @@ void checkRecording(const CommandLine& line, const Recording& recording)
 
 monitor::Config loadConfigFor(const Recording& recording, const std::string& path)
 {
-  if (recording.bag.empty())
-    return params::loadConfigFile(path);
-  return params::loadConfigFile(
-      path, [&](const params::Value& tree) { return withPlacedAttachments(tree, path, recording.bag); });
+  const auto placed = [&](const params::Value& tree)
+  { return recording.bag.empty() ? tree : withPlacedAttachments(tree, path, recording.bag); };
+  monitor::Config config = params::loadConfigFile(path, placed);
+  for (const std::string& value : monitor::suspiciousValues(config))
+    std::cerr << "warning: suspicious: " << value << "\n";
+  return config;
 }
 
 replay::ReplayOptions replayOptions(bool quiet)

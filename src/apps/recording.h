@@ -29,6 +29,7 @@ void addOptions(CommandLine& line, Recording& recording, Results& results, bool&
 void checkRecording(const CommandLine& line, const Recording& recording);
 
 /// The configuration in a YAML file; attachments that name a frame are placed by the transforms of a bag.
+/// Suspicious values are told on stderr.
 /// @throws as params::loadConfigFile().
 monitor::Config loadConfigFor(const Recording& recording, const std::string& path);
 

@@ -3,7 +3,6 @@
 
 #include "command_line.h"
 #include "recording.h"
-#include "tether_monitor/monitor/config/suspicious_values.h"
 #include "tether_monitor/params/load_config.h"
 
 namespace
@@ -24,8 +23,6 @@ void replay(const Arguments& arguments)
   monitor::Config config = apps::loadConfigFor(arguments.recording, arguments.config);
   if (arguments.parting)
     config = replay::preparedToPart(std::move(config), *arguments.parting);
-  for (const std::string& value : monitor::suspiciousValues(config))
-    std::cerr << "warning: suspicious: " << value << "\n";
   monitor::TetherEstimator estimator(config);
   replay::ReplayOptions options = apps::replayOptions(arguments.quiet);
   options.parting = arguments.parting;

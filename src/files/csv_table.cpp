@@ -93,10 +93,10 @@ CsvTable readCsv(const std::string& path, const MayBeEmpty& may_be_empty, const 
       if (fields.size() > MOST_COLUMNS)
         fail(path, number,
              std::to_string(fields.size()) + " columns, at most " + std::to_string(MOST_COLUMNS) + " can be");
-      if (expected && !expected(fields))
-        fail(path, number, "the header does not name the columns that are expected");
       if (fields.size() == 1 && content.find_first_of(";\t") != std::string::npos)
         fail(path, number, "its columns are separated by semicolons or tabs; commas are needed");
+      if (expected && !expected(fields))
+        fail(path, number, "the header does not name the columns that are expected");
       table.columns = fields;
       table.header_line = number;
       for (std::size_t i = 0; i < fields.size(); ++i)

@@ -273,11 +273,11 @@ std::vector<ParameterReader> ParameterReader::list(const char* key)
   {
     const Value& entry = (*list)[i];
     const std::string name = std::string(key) + "[" + std::to_string(i) + "]";
-    if (!entry.get<Value::Map>())
+    if (!entry.get<Value::Map>() && !entry.isNull())
     {
       addError(name.c_str(),
                " = " + entry.show() + " is not a map of keys, as every entry of this list has to be");
-      break;
+      continue;
     }
     readers.push_back(ParameterReader(&entry, (path_.empty() ? "" : path_ + ".") + name, errors_));
   }

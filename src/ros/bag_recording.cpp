@@ -65,14 +65,15 @@ std::multimap<std::string, const InputSource*> sourcesByTopic(const std::vector<
 
 // Topics that the configuration names and the bag does not have.
 std::vector<std::string> missingTopics(const std::multimap<std::string, const InputSource*>& by_topic,
-                                       rosbag::View& all)
+                                       bool needs_vehicle, rosbag::View& all)
 {
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : all.getConnections())
     topics.insert(rooted(connection->topic));
   std::vector<std::string> texts;
   for (const auto& [topic, source] : by_topic)
-    if (!source->config.from.empty() && topics.count(topic) == 0)
+    if (!source->config.from.empty() && (needs_vehicle || source->topic->stream != InputStream::VEHICLE) &&
+        topics.count(topic) == 0)
       texts.push_back("the bag has no topic " + topic + ", from which " + source->config.topic + " is to be read");
   return texts;
 }
@@ -204,7 +205,7 @@ void BagRecording::read(const std::string& path, const std::string& ns, bool nee
   const std::string prefix = prefixOf(ns);
   const auto by_topic = sourcesByTopic(sources, prefix);
   rosbag::View all(bag);
-  missing = missingTopics(by_topic, all);
+  missing = missingTopics(by_topic, needs_vehicle, all);
   visitMessages(path, all,
                 [&](const rosbag::MessageInstance& m)
                 {

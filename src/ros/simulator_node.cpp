@@ -26,7 +26,8 @@ constexpr double CONNECTING = 1.0;  // [s], wall clock: what is published before
 constexpr int QUEUE = 20;
 constexpr double OBSTACLE_PERIOD = 0.5;  // [s]
 constexpr double COMMAND_LIFE = 1.0;     // [s]
-constexpr double LONGEST_WAIT = 1.0;     // [s], wall clock, for a monitor that says nothing
+constexpr double LONGEST_WAIT = 1.0;     // [s], wall clock, for who says nothing
+constexpr double LONGEST_STALL = 10.0;   // [s], likewise, of a monitor that has spoken
 constexpr double LONGEST_ANSWER = 0.25;  // [s], of simulated time, from a measurement to a command
 
 visualization_msgs::Marker box(const std_msgs::Header& header, int id, const monitor::BodyState& body,
@@ -137,7 +138,10 @@ void SimulatorNode::subscribeToCommands()
   if (plan_.lockstep)
   {
     const boost::function<void(const TetherState&)> note = [this](const TetherState& state)
-    { monitored_ = (state.header.stamp - start_).toSec(); };
+    {
+      monitored_ = (state.header.stamp - start_).toSec();
+      waits_since_ = ros::WallTime();
+    };
     monitor_state_ =
         nh_.subscribe<TetherState>("tether_monitor/state", 1, note, {}, ros::TransportHints().tcpNoDelay());
   }
@@ -148,12 +152,14 @@ bool SimulatorNode::mustWait()
 {
   const auto isLate = [this](double commanded_at)
   { return commanded_at >= 0.0 && time_ - commanded_at > LONGEST_ANSWER; };
-  const bool waits = plan_.lockstep && (time_ - monitored_ > 1.0 / config_.rate + 1e-3 ||
-                                        isLate(winch_commanded_at_) || isLate(thrust_commanded_at_));
+  const bool is_monitor_due = plan_.lockstep && time_ - monitored_ > 1.0 / config_.rate - 1e-6;
+  const bool waits =
+      is_monitor_due || (plan_.lockstep && (isLate(winch_commanded_at_) || isLate(thrust_commanded_at_)));
+  const double patience = is_monitor_due && monitored_ > 0.0 ? LONGEST_STALL : LONGEST_WAIT;
   const ros::WallTime now = ros::WallTime::now();
   if (!waits || waits_since_.isZero())
     waits_since_ = waits ? now : ros::WallTime();
-  if (!waits || (now - waits_since_).toSec() < LONGEST_WAIT)
+  if (!waits || (now - waits_since_).toSec() < patience)
     return waits;
   // Who has ended is not waited for again until it commands again.
   if (isLate(winch_commanded_at_))
@@ -198,7 +204,7 @@ void SimulatorNode::tick()
     return;
   // The timer may skip or bunch ticks; the simulation keeps its own even pace.
   const double now = plan_.clock ? time_ + period_ : (ros::Time::now() - start_).toSec();
-  for (; time_ + period_ <= now + 1e-6; time_ += period_)
+  for (; time_ + period_ <= now + 1e-6; time_ = static_cast<double>(++steps_) * period_)
   {
     dropOldCommands();
     if (!simulator_.advance(time_ + period_))

@@ -31,7 +31,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QTableWidget(0, COLUMNS, parent)
   setHorizontalHeaderLabels({"alarm", "state", "value", "peak"});
   verticalHeader()->hide();
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  horizontalHeader()->setStretchLastSection(true);
+  horizontalHeader()->setSectionResizeMode(NAME, QHeaderView::Stretch);  // a long name wraps, figures are whole
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -49,10 +49,11 @@ void AlarmTable::show(const AlarmArray& alarms)
   for (int row = 0; row < rowCount(); ++row)
   {
     const Alarm& alarm = shown[static_cast<std::size_t>(row)];
-    const QString texts[COLUMNS] = {QString::fromStdString(alarm.name) + (alarm.first_out ? " (first)" : ""),
-                                    QString::fromStdString(alarmStateText(alarm)),
-                                    QString::fromStdString(alarmValueText(alarm.value, alarm.unit)),
-                                    QString::fromStdString(alarmValueText(alarm.peak, alarm.unit))};
+    const QString texts[COLUMNS] = {
+        QString::fromStdString(alarm.name).replace('_', ' ') + (alarm.first_out ? " (first)" : ""),
+        QString::fromStdString(alarmStateText(alarm)),
+        QString::fromStdString(alarmValueText(alarm.value, alarm.unit)),
+        QString::fromStdString(alarmValueText(alarm.peak, alarm.unit))};
     for (int column = 0; column < COLUMNS; ++column)
     {
       auto* item = new QTableWidgetItem(texts[column]);  // the table owns it
@@ -68,6 +69,7 @@ void AlarmTable::show(const AlarmArray& alarms)
     if (alarm.name == before)
       selectRow(row);
   }
+  resizeRowsToContents();
 }
 
 std::string AlarmTable::selected() const

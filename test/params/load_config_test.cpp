@@ -213,13 +213,13 @@ TEST(LoadConfig, WrongShapesAreNamed)
   EXPECT_EQ(
       faultsOf(tree(tetherKeys(), {{"vessel", Value(Value::Map{{"attachment", Value(Value::List{1.0, 2.0})}})}})),
       std::vector<std::string>{"vessel.attachment = a list of 2 is not a list of three numbers"});
-  EXPECT_EQ(faultsOf(tree(tetherKeys(),
-                          {{"environment", Value(Value::Map{{"current", Value(Value::List{0.3, 0.0, 0.0})}})}})),
-            std::vector<std::string>{"environment.current[0] = 0.3 is not a map of keys, as every entry of this "
-                                     "list has to be"})
+  EXPECT_EQ(
+      faultsOf(tree(tetherKeys(), {{"environment", Value(Value::Map{{"current", Value(Value::List{0.3})}})}})),
+      std::vector<std::string>{"environment.current[0] = 0.3 is not a map of keys, as every entry of this "
+                               "list has to be"})
       << "once, and not also for what the entry lacks";
-  EXPECT_EQ(faultsOf(tree(tetherKeys(),
-                          {{"vehicle", Value(Value::Map{{"mode", Value(std::string("observe"))}, {"mass", Value(3.0)}})}})),
+  EXPECT_EQ(faultsOf(tree(tetherKeys(), {{"vehicle", Value(Value::Map{{"mode", Value(std::string("observe"))},
+                                                                      {"mass", Value(3.0)}})}})),
             std::vector<std::string>{"vehicle.mode = 'observe' (must be tracked, free or observed)"})
       << "which keys it may have nobody knows then";
   Value::Map keys = tetherKeys();

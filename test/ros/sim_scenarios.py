@@ -69,6 +69,8 @@ class SimScenarios(unittest.TestCase):
             pairs = [(s, truth[s.header.stamp]) for s in settled
                      if s.header.stamp in truth and s.status != TetherState.STATUS_INVALID]
         self.assertGreater(len(settled), 100)
+        spacing = (settled[-1].header.stamp - settled[0].header.stamp).to_sec() / (len(settled) - 1)
+        self.assertLess(spacing, 1.1 / tree.get("monitor", {}).get("rate", 20.0), "time waits for every cycle")
         self.assertGreater(sum(word in good for word in words) / len(words), 0.95, collections.Counter(s.reason for s in settled))
         self.assertGreater(len(pairs), 50)
         mean = sum(force for _, force in pairs) / len(pairs)

@@ -266,7 +266,7 @@ class Tools(unittest.TestCase):
         ended = self.replay("--bag", TANK_BAG, config=self.file("typo.yaml", yaml.safe_dump(tree)))
         self.assertEqual(ended.returncode, 0, ended.stdout)
         self.assertIn("the bag has no topic /robot/twst, from which vehicle/velocity is to be read", ended.stdout)
-        self.assertRegex(ended.stdout, "of little use: .*[A-Z]+ [0-9.]+ %")
+        self.assertRegex(ended.stdout, "there is no estimate: .*[A-Z]+ [0-9.]+ %")
 
     def test_what_was_written_is_named(self):
         ended = run("tether_replay", "--config", TANK, "--bag", TANK_BAG, "--out", self.out)

@@ -35,7 +35,7 @@ const isOfNow = (forecast, state) => Boolean(forecast) && forecast.members > 0 &
 // What warnings look at, in the same share as they are told in.
 function reach(state) {
   if (state.max_tension_p95 === null || !(state.max_tension > 0)) return "";
-  return "; 95 % below " + force(state.max_tension_p95) + ", " + figures(100 * state.working_utilisation * state.max_tension_p95 / state.max_tension, 2) + " %";
+  return "; 95 % quantile " + force(state.max_tension_p95) + ", " + figures(100 * state.working_utilisation * state.max_tension_p95 / state.max_tension, 2) + " % of it";
 }
 
 export function drawFigures(state, forecast) {

@@ -20,7 +20,7 @@ export function utilisationColour(share, isNight) {
 function chord(position, before) {
   const a = position[0], b = position[position.length - 1];
   const size = Math.hypot(b[0] - a[0], b[1] - a[1]);
-  if (size <= 1) return [1, 0];
+  if (size <= 1) return before || [1, 0];
   const u = [(b[0] - a[0]) / size, (b[1] - a[1]) / size];
   const turned = Math.abs(u[0]) < CLEARLY && before ? u[0] * before[0] + u[1] * before[1] < 0 : u[0] < 0;
   return turned ? [-u[0], -u[1]] : u;
@@ -90,6 +90,8 @@ export class ShapeView {
     if (!picture || !state || state.position.length < 2) return;
     const { svg, width, height } = picture;
     const origin = state.position[0], u = chord(state.position, this.direction);
+    if (this.kind === "elevation" && this.extent && this.direction && u[0] * this.direction[0] + u[1] * this.direction[1] < 0)
+      this.extent = [-this.extent[1], -this.extent[0], this.extent[2], this.extent[3]];
     this.direction = u;
     const flat = (p) => this.view.place(p, origin, u);
     const line = state.position.map(flat);

@@ -75,7 +75,8 @@ class SimulatorNode
   ros::WallTimer wall_timer_;
   ros::Time start_;
   double period_ = 0.05;  // [s] of simulated time between ticks
-  double time_ = 0.0;
+  long steps_ = 0;
+  double time_ = 0.0;  // [s], steps times period: a sum of a million steps would leave the beat of the monitor
   double next_payout_ = 0.0, next_obstacles_ = 0.0;
   bool started_ = false;
   bool running_ = true;

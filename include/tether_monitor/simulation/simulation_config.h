@@ -104,7 +104,8 @@ struct SimulationConfig
   unsigned seed = 1;
   bool clock = false;     ///< the simulation owns the clock.
   double speed = 1.0;     ///< simulated seconds per second then, at most, > 0.
-  bool lockstep = false;  ///< time waits then for the monitor and for those that command, a second at most.
+  bool lockstep = false;  ///< time waits then for every cycle of the monitor, at most ten seconds (one, before
+                          ///< its first), and for those that command, at most one.
 };
 
 /// Every bound of SimulationConfig that `config` violates, one sentence each, named as in the parameter tree.

@@ -9,18 +9,11 @@ namespace
 {
 constexpr double NORMAL_P95 = 1.6448536;
 constexpr double LEAST_VARIANCE = 1e-6;  // [m^2]
+constexpr double LEAST_STDDEV = 1e-9;    // of what members agree in
 
 double stddevAbout(double median, const Eigen::RowVectorXd& values, double own)
 {
   return std::sqrt(std::pow(values.mean() - median, 2) + varianceOf(values) + own * own);
-}
-
-// Changes the order of the values.
-double medianOf(Eigen::RowVectorXd& values)
-{
-  double* const middle = values.data() + values.size() / 2;
-  std::nth_element(values.data(), middle, values.data() + values.size());
-  return *middle;
 }
 }  // namespace
 
@@ -71,15 +64,17 @@ void EnsembleSummary::update(const EnsembleMembers& members, const MemberVectors
     const double share = shareOf(k);
     for (int i = 0; i < n; ++i)
       values_[i] = profiles_[i].tension[k];
-    tension_[k] = medianOf(values_);
+    std::nth_element(values_.data(), values_.data() + n / 2, values_.data() + n);
+    tension_[k] = values_[n / 2];
     tension_stddev_[k] = stddevAbout(tension_[k], values_, (1.0 - share) * own.vessel + share * own.vehicle);
   }
   for (int i = 0; i < n; ++i)
     values_[i] = profiles_[i].max_element_rotation;
-  max_element_rotation_ = medianOf(values_);
+  rotation_ = distributionOf(values_, 0.0);
   countContacts(members);
   spreadPositions();
-  chooseRepresentative(members, position);
+  findDistances(members, position, own);
+  showRepresentative(members);
   describePositions();
 }
 
@@ -111,15 +106,15 @@ void EnsembleSummary::countContacts(const EnsembleMembers& members)
   }
 }
 
-// Squared distances from the medians of the tensions, the mean place of the vehicle and the mean shape, each in
-// its own standard deviations.
-void EnsembleSummary::chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position)
+// Squared distances from the medians of tensions and sharpest turn, the mean place of the vehicle and the mean
+// shape, each in its own standard deviations.
+void EnsembleSummary::findDistances(const EnsembleMembers& members, const MemberVectors& position, const Own& own)
 {
   const MemberMotion& motion = members.motion();
   const core::Vector3 place = position.rowwise().mean();
   const double variance = (motion.position.colwise() - place).squaredNorm() / members.size() + LEAST_VARIANCE;
-  const auto ofTension = [](double tension, const Distribution& d)
-  { return std::pow((tension - d.median) / (d.stddev + 1e-9), 2); };
+  const auto squared = [](double value, const Distribution& d)
+  { return std::pow((value - d.median) / (d.stddev + LEAST_STDDEV), 2); };
   const std::size_t stations = mean_position_.size();
   for (int i = 0; i < members.size(); ++i)
   {
@@ -127,10 +122,21 @@ void EnsembleSummary::chooseRepresentative(const EnsembleMembers& members, const
     for (std::size_t k = 0; k < stations; ++k)
       of_shape += (profiles_[i].position[k] - mean_position_[k]).squaredNorm() /
                   (position_variance_[k].sum() + LEAST_VARIANCE);
-    distance_[i] = ofTension(motion.vessel_tension[i], vessel_) + ofTension(motion.vehicle_tension[i], vehicle_) +
+    distance_[i] = squared(std::max(motion.vessel_tension[i] + own.vessel_correction[i], 0.0), vessel_) +
+                   squared(std::max(motion.vehicle_tension[i] + own.vehicle_correction[i], 0.0), vehicle_) +
+                   squared(profiles_[i].max_element_rotation, rotation_) +
                    (motion.position.col(i) - place).squaredNorm() / variance + of_shape / stations;
   }
-  representative_.choose(distance_, profiles_, members.state(0).time);
+}
+
+// Beside obstacles nothing fades: between a tether on the one side and one on the other there is the obstacle.
+void EnsembleSummary::showRepresentative(const EnsembleMembers& members)
+{
+  const bool is_another = representative_.choose(distance_) || members.replaced() != replaced_;
+  replaced_ = members.replaced();
+  const core::CableState& state = members.state(representative_.index());
+  representative_.show(state.time, profiles_[representative_.index()], state.vehicle.orientation, is_another,
+                       state.obstacles.empty());
 }
 
 void EnsembleSummary::describePositions()

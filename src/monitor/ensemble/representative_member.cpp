@@ -9,6 +9,7 @@ namespace
 {
 constexpr double FADING_TIME = 3.0;       // [s]
 constexpr double MOST_OF_THE_MEAN = 0.5;  // of the members' mean squared distance: too far to be kept
+constexpr double MUCH_NEARER = 0.5;       // of a squared distance
 
 core::Vector3 directionOf(const core::Vector3& v)
 {
@@ -28,34 +29,72 @@ void turn(core::Vector3& v, const core::Vector3& offset)
 void RepresentativeMember::prepare(int elements)
 {
   index_ = NONE;
-  offset_ = Offset();
+  is_shown_ = false;
+  offset_ = Shape();
   offset_.position.assign(2 * elements + 1, core::Vector3::Zero());
+  shown_ = offset_;
 }
 
-void RepresentativeMember::choose(const Eigen::RowVectorXd& square,
-                                  const std::vector<core::StationProfile>& profiles, double t)
+bool RepresentativeMember::choose(const Eigen::RowVectorXd& square)
 {
-  const double left = std::exp(-std::max(t - t_, 0.0) / FADING_TIME);
-  t_ = t;
-  for (core::Vector3& offset : offset_.position)
-    offset *= left;
-  for (core::Vector3* offset : {&offset_.vessel, &offset_.vehicle, &offset_.vessel_force, &offset_.vehicle_force})
-    *offset *= left;
-  if (index_ != NONE && square[index_] < MOST_OF_THE_MEAN * square.mean())
-    return;
   int nearest = 0;
   square.minCoeff(&nearest);
-  if (index_ != NONE && nearest != index_)
-  {
-    const core::StationProfile &before = profiles[index_], &now = profiles[nearest];
-    for (std::size_t k = 0; k < offset_.position.size(); ++k)
-      offset_.position[k] += before.position[k] - now.position[k];
-    offset_.vessel += before.vessel_direction - now.vessel_direction;
-    offset_.vehicle += before.vehicle_direction - now.vehicle_direction;
-    offset_.vessel_force += directionOf(before.ends.vessel) - directionOf(now.ends.vessel);
-    offset_.vehicle_force += directionOf(before.ends.vehicle) - directionOf(now.ends.vehicle);
-  }
+  if (index_ != NONE &&
+      (square[index_] < MOST_OF_THE_MEAN * square.mean() || square[nearest] > MUCH_NEARER * square[index_]))
+    return false;
+  const bool is_another = nearest != index_;
   index_ = nearest;
+  return is_another;
+}
+
+void RepresentativeMember::differ(const core::StationProfile& profile, const Eigen::Quaterniond& attitude)
+{
+  for (std::size_t k = 0; k < offset_.position.size(); ++k)
+    offset_.position[k] = shown_.position[k] - profile.position[k];
+  offset_.vessel = shown_.vessel - profile.vessel_direction;
+  offset_.vehicle = shown_.vehicle - profile.vehicle_direction;
+  offset_.vessel_force = shown_.vessel_force - directionOf(profile.ends.vessel);
+  offset_.vehicle_force = shown_.vehicle_force - directionOf(profile.ends.vehicle);
+  offset_.attitude = (shown_.attitude * attitude.conjugate()).normalized();
+}
+
+void RepresentativeMember::fade(double share)
+{
+  for (core::Vector3& offset : offset_.position)
+    offset *= share;
+  for (core::Vector3* offset : {&offset_.vessel, &offset_.vehicle, &offset_.vessel_force, &offset_.vehicle_force})
+    *offset *= share;
+  offset_.attitude = Eigen::Quaterniond::Identity().slerp(share, offset_.attitude);
+}
+
+void RepresentativeMember::keep(const core::StationProfile& profile, const Eigen::Quaterniond& attitude)
+{
+  for (std::size_t k = 0; k < shown_.position.size(); ++k)
+    shown_.position[k] = profile.position[k] + offset_.position[k];
+  const auto turned = [](core::Vector3 v, const core::Vector3& offset)
+  {
+    turn(v, offset);
+    return directionOf(v);
+  };
+  shown_.vessel = turned(profile.vessel_direction, offset_.vessel);
+  shown_.vehicle = turned(profile.vehicle_direction, offset_.vehicle);
+  shown_.vessel_force = turned(profile.ends.vessel, offset_.vessel_force);
+  shown_.vehicle_force = turned(profile.ends.vehicle, offset_.vehicle_force);
+  shown_.attitude = blended(attitude);
+}
+
+void RepresentativeMember::show(double t, const core::StationProfile& profile, const Eigen::Quaterniond& attitude,
+                                bool is_another, bool fades)
+{
+  if (is_another && is_shown_)
+    differ(profile, attitude);
+  else
+    fade(std::exp(-std::max(t - t_, 0.0) / FADING_TIME));
+  if (!fades)
+    fade(0.0);
+  t_ = t;
+  is_shown_ = true;
+  keep(profile, attitude);
 }
 
 void RepresentativeMember::blend(core::StationProfile& profile) const
@@ -68,13 +107,18 @@ void RepresentativeMember::blend(core::StationProfile& profile) const
   turn(profile.ends.vehicle, offset_.vehicle_force);
 }
 
-bool RepresentativeMember::isValid(int members, int elements) const
+bool RepresentativeMember::Shape::isValid(std::size_t stations) const
 {
   const auto isFinite = [](const core::Vector3& v) { return v.allFinite(); };
-  return index_ >= 0 && index_ < members && std::isfinite(t_) &&
-         offset_.position.size() == 2 * static_cast<std::size_t>(elements) + 1 &&
-         std::all_of(offset_.position.begin(), offset_.position.end(), isFinite) &&
-         (offset_.vessel + offset_.vehicle + offset_.vessel_force + offset_.vehicle_force).allFinite();
+  return position.size() == stations && std::all_of(position.begin(), position.end(), isFinite) &&
+         (vessel + vehicle + vessel_force + vehicle_force).allFinite() && std::abs(attitude.norm() - 1.0) < 1e-6;
+}
+
+bool RepresentativeMember::isValid(int members, int elements) const
+{
+  const std::size_t stations = 2 * static_cast<std::size_t>(elements) + 1;
+  return index_ >= 0 && index_ < members && std::isfinite(t_) && shown_.isValid(stations) &&
+         offset_.isValid(stations);
 }
 
 }  // namespace tether_monitor::monitor

@@ -299,6 +299,7 @@ void TetherEnsemble::describe(const core::DeployedCable& cable, TetherEstimate& 
   monitor::summarize(cable, e);
   const core::Vector3 mean = position_.rowwise().mean();
   e.vehicle.position = mean + origin_;
+  e.vehicle.orientation = summary_.representative().blended(e.vehicle.orientation);
   const auto error_velocity = error.means().middleRows<3>(MotionErrorFilter::VELOCITY);
   e.vehicle.velocity = members_.motion().velocity.rowwise().mean() + error_velocity.rowwise().mean();
   e.vehicle_position_covariance =

@@ -32,20 +32,24 @@ struct TwoMembers : testing::Test
     profiles = {profileAt(0.0, Vector3::UnitY()), profileAt(30.0, Vector3::UnitX())};
   }
 
-  core::StationProfile shownAt(double t, double first, double second)
+  // With these squared distances of the two.
+  core::StationProfile shownAt(double t, double first, double second, bool fades = true)
   {
-    representative.choose(Eigen::RowVector2d(first, second), profiles, t);
+    const bool is_another = representative.choose(Eigen::RowVector2d(first, second));
     core::StationProfile shown = profiles[representative.index()];
+    representative.show(t, shown, attitudes[representative.index()], is_another, fades);
     representative.blend(shown);
     return shown;
   }
 
   RepresentativeMember representative;
   std::vector<core::StationProfile> profiles;
+  const Eigen::Quaterniond attitudes[2] = {Eigen::Quaterniond::Identity(),
+                                           Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Vector3::UnitZ()))};
 };
 }  // namespace
 
-TEST_F(TwoMembers, TheNearestIsKeptUntilItIsHalfAsFarAsTheMean)
+TEST_F(TwoMembers, TheNearestIsKeptUntilItIsFarAndAnotherMuchNearer)
 {
   EXPECT_FALSE(representative.isValid(2, ELEMENTS));
   shownAt(0.0, 2.0, 1.0);
@@ -53,12 +57,13 @@ TEST_F(TwoMembers, TheNearestIsKeptUntilItIsHalfAsFarAsTheMean)
   EXPECT_TRUE(representative.isValid(2, ELEMENTS));
   EXPECT_FALSE(representative.isValid(1, ELEMENTS)) << "there is no such member";
   EXPECT_FALSE(representative.isValid(2, ELEMENTS + 1)) << "of another mesh";
-  shownAt(1.0, 0.1, 0.0);
-  shownAt(2.0, 0.0, 0.0);
-  EXPECT_EQ(representative.index(), 0) << "no spread at all: the first of the nearest";
-  shownAt(3.0, 0.9, 3.0);
+  shownAt(1.0, 0.0, 0.9);
+  EXPECT_EQ(representative.index(), 0) << "0.9 of 0.45 on average, and another at 0";
+  shownAt(2.0, 0.9, 3.0);
   EXPECT_EQ(representative.index(), 0) << "0.9 of 1.95 on average";
-  shownAt(4.0, 2.0, 1.9);
+  shownAt(3.0, 3.0, 2.0);
+  EXPECT_EQ(representative.index(), 0) << "far, but so is the other: two bunches must not take turns";
+  shownAt(4.0, 3.0, 1.0);
   EXPECT_EQ(representative.index(), 1);
 }
 
@@ -71,16 +76,39 @@ TEST_F(TwoMembers, NothingLeapsWhenAnotherIsShown)
     EXPECT_LT((before.position[k] - after.position[k]).norm(), 1e-12) << "station " << k;
   EXPECT_LT((before.vessel_direction - after.vessel_direction).norm(), 1e-12);
   EXPECT_LT((before.ends.vehicle - after.ends.vehicle).norm(), 1e-12) << "as large, and where it pulled before";
+  EXPECT_LT(representative.blended(attitudes[1]).angularDistance(attitudes[0]), 1e-7);
 
   const core::StationProfile later = shownAt(13.0, 9.0, 0.0);
   EXPECT_NEAR(later.position[2].x(), 30.0 * (1.0 - std::exp(-1.0)), 1e-9);
   EXPECT_NEAR(later.ends.vessel.norm(), 10.0, 1e-12) << "directions fade, forces do not";
   EXPECT_NEAR(later.vessel_direction.norm(), 1.0, 1e-12);
   EXPECT_NEAR(representative.offset(2).x(), -30.0 * std::exp(-1.0), 1e-9);
+  EXPECT_NEAR(representative.blended(attitudes[1]).angularDistance(attitudes[0]), 1.0 - std::exp(-1.0), 1e-6);
 
-  const core::StationProfile last = shownAt(60.0, 9.0, 0.0);
-  EXPECT_NEAR(last.position[2].x(), 30.0, 1e-5);
-  EXPECT_LT((last.vehicle_direction - Vector3::UnitX()).norm(), 1e-6);
+  const core::StationProfile back = shownAt(13.0, 0.0, 9.0);
+  EXPECT_LT((back.position[2] - later.position[2]).norm(), 1e-12) << "in the midst of it";
+
+  const core::StationProfile last = shownAt(60.0, 9.0, 0.0), end = shownAt(120.0, 9.0, 0.0);
+  EXPECT_LT((last.position[2] - end.position[2]).norm(), 31.0);
+  EXPECT_NEAR(end.position[2].x(), 30.0, 1e-5);
+  EXPECT_LT((end.vehicle_direction - Vector3::UnitX()).norm(), 1e-6);
+}
+
+TEST_F(TwoMembers, AStateThatWasReplacedDoesNotLeapEither)
+{
+  shownAt(0.0, 0.0, 9.0);
+  representative.show(0.1, profiles[1], attitudes[1], true, true);
+  core::StationProfile shown = profiles[1];
+  representative.blend(shown);
+  EXPECT_LT((shown.position[2] - profiles[0].position[2]).norm(), 1e-12);
+}
+
+TEST_F(TwoMembers, BesideObstaclesItIsAMemberAndNothingBetween)
+{
+  shownAt(0.0, 0.0, 9.0, false);
+  const core::StationProfile shown = shownAt(0.1, 9.0, 0.0, false);
+  EXPECT_EQ(shown.position[2], profiles[1].position[2]);
+  EXPECT_LT(representative.blended(attitudes[1]).angularDistance(attitudes[1]), 1e-7);
 }
 
 TEST_F(TwoMembers, ATetherWithoutForceStaysWithout)
@@ -99,6 +127,6 @@ TEST_F(TwoMembers, ANewMeshIsANewStart)
   shownAt(0.1, 9.0, 0.0);
   representative.prepare(ELEMENTS);
   EXPECT_EQ(representative.index(), RepresentativeMember::NONE);
-  EXPECT_EQ(representative.offset(2).norm(), 0.0);
+  EXPECT_EQ(shownAt(0.2, 9.0, 0.0).position[2], profiles[1].position[2]);
 }
 }  // namespace tether_monitor::monitor

@@ -40,6 +40,32 @@ TEST(ObservedVehicle, FollowsWithoutSpikesAndKnowsHowSureItIs)
   EXPECT_LT(sea.estimator.estimate().vehicle_position_stddev, 0.2);
 }
 
+// Where its bight hangs nobody knows: members take turns in being the nearest, and what is shown slides.
+TEST(ObservedVehicle, TheShapeOfASlackTetherDoesNotLeap)
+{
+  Config config = observedConfig();
+  config.uncertainty.current = 0.3;
+  NavigationFixture sea(config);
+  sea.depth = -60.0;
+  sea.aside = 15.0;
+  ASSERT_NE(sea.run(60.0).status, Status::INVALID);
+  std::vector<Vector3> before = sea.estimator.estimate().stations.position;
+  double farthest = 0.0, doubt = 0.0;
+  for (int n = 0; n < 6000; ++n)
+  {
+    const TetherEstimate& e = sea.run(0.05);
+    ASSERT_EQ(e.stations.position.size(), before.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+    {
+      farthest = std::max(farthest, (e.stations.position[k] - before[k]).norm());
+      doubt = std::max(doubt, e.position_stddev[k].norm());
+    }
+    before = e.stations.position;
+  }
+  EXPECT_GT(doubt, 3.0) << "of the place, so that it could";
+  EXPECT_LT(farthest, 1.0) << "in a twentieth of a second; without fading 38 m";
+}
+
 TEST(ObservedVehicle, LateMeasurementsGiveTheSameAsThoseInTime)
 {
   for (const double latency : {1.0, 2.5})

@@ -59,20 +59,21 @@ class EnsembleSummary
   const std::vector<double>& tensionStddev() const { return tension_stddev_; }
   /// About what is shown: the representative member and what it is blended with.
   const std::vector<core::Vector3>& positionStddev() const { return position_stddev_; }
-  double maxElementRotation() const { return max_element_rotation_; }  ///< median [rad].
+  double maxElementRotation() const { return rotation_.median; }  ///< [rad]
   /// Of every obstacle: share of the members that touch it.
   const std::vector<double>& contactProbability() const { return contact_probability_; }
 
   template <class Archive>
   void serialize(Archive& a)
   {
-    a(representative_, vessel_, vehicle_, largest_, tension_, tension_stddev_, position_stddev_,
-      max_element_rotation_, contact_probability_);
+    a(representative_, vessel_, vehicle_, largest_, tension_, tension_stddev_, position_stddev_, rotation_,
+      replaced_, contact_probability_);
   }
 
  private:
   void countContacts(const EnsembleMembers& members);
-  void chooseRepresentative(const EnsembleMembers& members, const MemberVectors& position);
+  void findDistances(const EnsembleMembers& members, const MemberVectors& position, const Own& own);
+  void showRepresentative(const EnsembleMembers& members);
   void spreadPositions();
   void describePositions();
 
@@ -80,11 +81,11 @@ class EnsembleSummary
   std::vector<core::StationProfile> profiles_;
   Eigen::RowVectorXd distance_;  // squared, of the members from their middle.
   RepresentativeMember representative_;
-  Distribution vessel_, vehicle_, largest_;
+  long replaced_ = 0;  // members, until the last update.
+  Distribution vessel_, vehicle_, largest_, rotation_;
   std::vector<double> tension_, tension_stddev_;
   std::vector<core::Vector3> mean_position_, position_variance_;  // of the members.
   std::vector<core::Vector3> position_stddev_;
-  double max_element_rotation_ = 0.0;  // [rad]
   core::ContactSummary contact_;
   std::vector<double> contact_probability_;
 };

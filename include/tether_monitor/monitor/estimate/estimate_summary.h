@@ -17,7 +17,7 @@ void describeVehicle(const core::DeployedCable& cable, const core::CableState& s
 
 /// Whether the model is near its range: REASON_OUT_OF_RANGE above the breaking load, 10 % strain or where pressure
 /// takes more than half of the diameter, MESH_COARSE where the tether turns by more than 1.2 rad within one
-/// element or is crumpled by 10 %, else NONE.
+/// element (in mode observed: the median of the members) or is crumpled by 10 %, else NONE.
 Reason modelRange(const core::DeployedCable& cable, const TetherEstimate& estimate);
 
 /// Sets INVALID with a reason and takes every number of the model out; ages and time stay.
