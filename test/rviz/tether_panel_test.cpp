@@ -154,7 +154,7 @@ TEST_F(Panel, AcknowledgesTheOneThatIsSelectedOrAll)
       });
   alarms.publish(twoAlarms());
   ASSERT_TRUE(until([&] { return table().rowCount() == 2 && button().isEnabled(); }));
-  EXPECT_EQ(table().item(0, 0)->text().toStdString(), "over_tension");
+  EXPECT_EQ(table().item(0, 0)->text().toStdString(), "over tension");
   EXPECT_EQ(table().item(0, 1)->text().toStdString(), "ACTIVE");
   EXPECT_EQ(table().item(0, 3)->text().toStdString(), "not known");
   button().click();
