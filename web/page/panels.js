@@ -86,7 +86,8 @@ export function drawParameters(parameters) {
   section.querySelector("tbody").replaceChildren(...(parameters || []).filter((p) => p.configured_stddev > 0).map((p) => {
     const row = document.createElement("tr");
     row.title = p.name;
-    for (const text of [p.name.replace(/^(tether|environment)\./, "").replace(/[._]/g, " "), withBand(p.mean, p.stddev, parameterUnit(p.name)), withBand(p.configured, p.configured_stddev, parameterUnit(p.name))])
+    const unit = parameterUnit(p.name), name = p.name.replace(/^(tether|environment)\./, "").replace(/[._]/g, " ");
+    for (const text of [name + (unit ? ` [${unit}]` : ""), withBand(p.mean, p.stddev), withBand(p.configured, p.configured_stddev)])
       row.insertCell().textContent = text;
     return row;
   }));

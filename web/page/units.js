@@ -37,10 +37,10 @@ export function valueWithUnit(value, unit) {
 }
 
 // With as many decimals as its standard deviation has in two figures.
-export function withBand(value, stddev, unit = "") {
+export function withBand(value, stddev) {
   if (value === null || stddev === null) return UNKNOWN;
   const decimals = stddev > 0 ? Math.min(Math.max(1 - Math.floor(Math.log10(stddev)), 0), 6) : 3;
-  return (value.toFixed(decimals) + " ± " + stddev.toFixed(decimals) + " " + unit).trim();
+  return value.toFixed(decimals) + " ± " + stddev.toFixed(decimals);
 }
 
 // Of what the estimator has learnt; drag coefficients and the factor on the vehicle's drag have none.
