@@ -118,7 +118,6 @@ set(test_files
   test/monitor/ensemble/representative_member_test.cpp
   test/monitor/ensemble/measurement_timing_test.cpp
   test/monitor/ensemble/tether_linearization_test.cpp
-  test/monitor/ensemble/unknown_force_test.cpp
   test/monitor/ensemble/vehicle_initializer_test.cpp
   test/monitor/measurements/motion_plausibility_test.cpp
   test/monitor/measurements/noise_estimator_test.cpp

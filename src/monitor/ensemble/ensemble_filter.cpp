@@ -259,6 +259,13 @@ bool EnsembleFilter::isAccepted(const VehicleMeasurement& fix, const core::Vecto
   return false;
 }
 
+ReadingRate& EnsembleFilter::rateOf(VehicleMeasurement::Kind kind)
+{
+  if (kind == VehicleMeasurement::Kind::TENSION)
+    return tension_rate_;
+  return kind == VehicleMeasurement::Kind::DIRECTION ? direction_rate_ : position_rate_;
+}
+
 void EnsembleFilter::process(VehicleMeasurement& fix, std::size_t tick, const core::Vector3& origin)
 {
   const bool is_new = fix.processed == VehicleMeasurement::NONE;
@@ -341,7 +348,7 @@ void EnsembleFilter::reset()
 
 void EnsembleFilter::forgetWhatIsToldAnew(const Config& before, const Config& now)
 {
-  setForce(unknown_force_);
+  motion_.setForce(unknown_force_);
   const std::vector<Parameter> told = parametersToldAnew(before, now);
   if (told.empty())
     return;
@@ -352,23 +359,13 @@ void EnsembleFilter::forgetWhatIsToldAnew(const Config& before, const Config& no
   first_transform_ = next_transform_;
 }
 
-// At all times that may be gone back to.
-void EnsembleFilter::setForce(const UnknownForce& force)
-{
-  for (std::size_t k = 0; k < ticks_.size(); ++k)
-    motion_.widen(ticks_[k].belief, force);
-  motion_.setForce(force);
-}
-
-// Stationary first-order Gauss-Markov processes; and how large the unknown force is to be thought, (E24).
+// Stationary first-order Gauss-Markov processes.
 void EnsembleFilter::walk(double t)
 {
   const double dt = t - walked_at_;
   if (dt < WALK_INTERVAL)
     return;
   walked_at_ = t;
-  const auto slow = motion_.means().middleRows<3>(MotionErrorFilter::SLOW);
-  setForce(reconsidered(unknown_force_, motion_.force(), slow.rowwise().mean().cwiseAbs().maxCoeff()));
   random_.fillUncorrelated(sample_);
   for (int k = 0; k < PARAMETERS; ++k)
   {

@@ -8,9 +8,9 @@ namespace tether_monitor::monitor
 {
 namespace
 {
-constexpr double IMPROBABLE = 4.0;     // standard deviations that chance does not explain
-constexpr double LEAST_LEARNT = 0.4;   // share of a variance that is taken to have gone, at least
-constexpr double NORMAL_P99 = 2.3263;  // standard normal quantile of 0.99
+constexpr double IMPROBABLE = 4.0;      // standard deviations that chance does not explain
+constexpr double LEAST_LEARNT = 0.4;    // share of a variance that is taken to have gone, at least
+constexpr double NORMAL_P999 = 3.0902;  // standard normal quantile of 0.999
 
 double squareOf(const LearntQuantity& q)
 {
@@ -68,7 +68,7 @@ void JointImprobability::add(const LearntQuantity& quantity)
 double JointImprobability::bound() const
 {
   const double dof = std::max(learnt_, 1.0), spread = 2.0 / (9.0 * dof);
-  return dof * std::pow(1.0 - spread + NORMAL_P99 * std::sqrt(spread), 3);
+  return dof * std::pow(1.0 - spread + NORMAL_P999 * std::sqrt(spread), 3);
 }
 
 // What is known of a quantity moves its mean by as much as its variance has lost.

@@ -107,16 +107,11 @@ void MotionErrorFilter::inflate(double position_stddev, double force_stddev)
   covariance_.diagonal().segment<3>(SLOW).array() += force_stddev * force_stddev;
 }
 
-void MotionErrorFilter::widen(Covariance& covariance, const UnknownForce& force) const
-{
-  const auto added = [](double now, double before) { return std::max(now * now - before * before, 0.0); };
-  covariance.diagonal().segment<3>(SLOW).array() += added(force.slow_stddev, force_.slow_stddev);
-  covariance.diagonal().segment<3>(FAST).array() += added(force.fast_stddev, force_.fast_stddev);
-}
-
 void MotionErrorFilter::setForce(const UnknownForce& force)
 {
-  widen(covariance_, force);
+  const auto added = [](double now, double before) { return std::max(now * now - before * before, 0.0); };
+  covariance_.diagonal().segment<3>(SLOW).array() += added(force.slow_stddev, force_.slow_stddev);
+  covariance_.diagonal().segment<3>(FAST).array() += added(force.fast_stddev, force_.fast_stddev);
   force_ = force;
   dt_ = 0.0;
 }

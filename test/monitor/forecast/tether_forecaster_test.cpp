@@ -225,7 +225,8 @@ TEST(TetherForecaster, MembersOfAnEnsembleGoOn)
   const TetherEstimate later = fixture.run(HORIZON);
   ASSERT_EQ(f.position.size(), later.stations.position.size());
   EXPECT_LT((f.position.front() - later.stations.position.front()).norm(), 3.0);
-  EXPECT_LT((f.position.back() - later.stations.position.back()).norm(), 5.0);
+  EXPECT_LT((f.position.back() - later.stations.position.back()).norm(), 20.0)
+      << "a member's: an unknown 64 N moves 400 N that hang at 100 m by some 15 m";
 }
 
 // (F7): a load cell reads less than the members have.

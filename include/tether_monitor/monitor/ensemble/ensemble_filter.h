@@ -125,15 +125,9 @@ class EnsembleFilter
   void believe(const VehicleMeasurement& reading);
   void hindcast(double t);
   void learn(const VehicleMeasurement& fix, double moved_at, EnsembleTransform& transform);
-  ReadingRate& rateOf(VehicleMeasurement::Kind kind)
-  {
-    if (kind == VehicleMeasurement::Kind::TENSION)
-      return tension_rate_;
-    return kind == VehicleMeasurement::Kind::DIRECTION ? direction_rate_ : position_rate_;
-  }
+  ReadingRate& rateOf(VehicleMeasurement::Kind kind);
   double startError(double t) const;
   void reset();
-  void setForce(const UnknownForce& force);
   void walk(double t);
   void feedBack(double dt);
 

@@ -16,7 +16,7 @@ struct LearntQuantity
 
 /**
  * Whether what has been learnt is farther from the prior than chance explains: one mean beyond four standard
- * deviations of what has been learnt, or the squared distance of all together beyond its 0.99 quantile, (E16) of
+ * deviations of what has been learnt, or the squared distance of all together beyond its 0.999 quantile, (E16) of
  * doc/theory/estimation.md.
  */
 class JointImprobability

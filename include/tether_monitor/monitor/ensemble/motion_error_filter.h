@@ -78,10 +78,8 @@ class MotionErrorFilter
       a(means, covariance);
     }
   };
-  /// The unknown forces are of another size: what is larger than before adds to their variance, here and in what
-  /// was believed at other times.
+  /// The unknown forces are told to be of another size: what is larger than before adds to their variance.
   void setForce(const UnknownForce& force);
-  void widen(Belief& belief, const UnknownForce& force) const { widen(belief.covariance, force); }
   void save(Belief& belief) const;
   void restore(const Belief& belief);
 
@@ -95,7 +93,6 @@ class MotionErrorFilter
  private:
   Covariance systemMatrix() const;
   void prepare(double dt);
-  void widen(Covariance& covariance, const UnknownForce& force) const;
 
   UnknownForce force_;
   TetherLinearization tether_;

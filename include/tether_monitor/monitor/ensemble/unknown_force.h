@@ -17,13 +17,4 @@ struct UnknownForce
 /// What is told of it: (E3) of doc/theory/estimation.md.
 UnknownForce unknownForceOf(const Config& config);
 
-/**
- * What is to be thought of its size when the slow force has been found to be as large as this along an axis [N],
- * (E24): as told, unless that is beyond two standard deviations. Larger and smaller steps only, so that noise
- * moves nothing.
- *
- * @param thought  until now.
- */
-UnknownForce reconsidered(const UnknownForce& told, const UnknownForce& thought, double found);
-
 }  // namespace tether_monitor::monitor
