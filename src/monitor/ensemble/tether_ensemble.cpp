@@ -294,10 +294,15 @@ void TetherEnsemble::describe(const core::DeployedCable& cable, TetherEstimate& 
   e.stations.tension = summary_.tension();
   e.stations.max_element_rotation = summary_.maxElementRotation();
   summary_.representative().blend(e.stations);
+  // The end that is shown is where the vehicle is believed to be; what a member is off goes out along the tether.
+  const core::Vector3 mean = position_.rowwise().mean();
+  const std::size_t last = e.stations.position.size() - 1;
+  const core::Vector3 off = e.vehicle.position - origin_ - mean + summary_.representative().offset(last);
+  for (std::size_t k = 0; k <= last; ++k)
+    e.stations.position[k] -= static_cast<double>(k) / static_cast<double>(last) * off;
   scaled(e.stations.ends.vessel, summary_.vessel().median);
   scaled(e.stations.ends.vehicle, summary_.vehicle().median);
   monitor::summarize(cable, e);
-  const core::Vector3 mean = position_.rowwise().mean();
   e.vehicle.position = mean + origin_;
   e.vehicle.orientation = summary_.representative().blended(e.vehicle.orientation);
   const auto error_velocity = error.means().middleRows<3>(MotionErrorFilter::VELOCITY);
