@@ -55,7 +55,7 @@ def headline(dive):
     if np.isfinite(largest).any():
         k = int(np.nanargmax(largest))
         shown += [("largest tension", quantity(largest[k])),
-                    ("when and where", "t = %.1f s, s = %.0f m" % (dive.t[k], dive.ends["max_tension_s"][k]))]
+                  ("when and where", "t = %.1f s, s = %.0f m" % (dive.t[k], dive.ends["max_tension_s"][k]))]
         load = dive.summary.get("working_load")
         if load:
             shown.append(("of the working load", "%.0f %%" % (100.0 * largest[k] / load)))

@@ -144,7 +144,7 @@ void EnsembleSummary::describePositions()
   const core::StationProfile& shown = profiles_[representative_.index()];
   for (std::size_t k = 0; k < position_stddev_.size(); ++k)
   {
-    const core::Vector3 aside = shown.position[k] + representative_.offset(k) - mean_position_[k];
+    const core::Vector3 aside = shown.position[k] - mean_position_[k];
     position_stddev_[k] = (position_variance_[k] + aside.cwiseAbs2()).cwiseSqrt();
   }
 }

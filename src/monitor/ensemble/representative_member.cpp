@@ -67,23 +67,17 @@ void RepresentativeMember::fade(double share)
   offset_.attitude = Eigen::Quaterniond::Identity().slerp(share, offset_.attitude);
 }
 
-void RepresentativeMember::keep(const core::StationProfile& profile, const Eigen::Quaterniond& attitude)
+void RepresentativeMember::keep(const core::StationProfile& shown, const Eigen::Quaterniond& attitude)
 {
-  for (std::size_t k = 0; k < shown_.position.size(); ++k)
-    shown_.position[k] = profile.position[k] + offset_.position[k];
-  const auto turned = [](core::Vector3 v, const core::Vector3& offset)
-  {
-    turn(v, offset);
-    return directionOf(v);
-  };
-  shown_.vessel = turned(profile.vessel_direction, offset_.vessel);
-  shown_.vehicle = turned(profile.vehicle_direction, offset_.vehicle);
-  shown_.vessel_force = turned(profile.ends.vessel, offset_.vessel_force);
-  shown_.vehicle_force = turned(profile.ends.vehicle, offset_.vehicle_force);
-  shown_.attitude = blended(attitude);
+  shown_.position = shown.position;
+  shown_.vessel = directionOf(shown.vessel_direction);
+  shown_.vehicle = directionOf(shown.vehicle_direction);
+  shown_.vessel_force = directionOf(shown.ends.vessel);
+  shown_.vehicle_force = directionOf(shown.ends.vehicle);
+  shown_.attitude = attitude;
 }
 
-void RepresentativeMember::show(double t, const core::StationProfile& profile, const Eigen::Quaterniond& attitude,
+void RepresentativeMember::show(double t, core::StationProfile& profile, const Eigen::Quaterniond& attitude,
                                 bool is_another, bool fades)
 {
   if (is_another && is_shown_)
@@ -94,7 +88,8 @@ void RepresentativeMember::show(double t, const core::StationProfile& profile, c
     fade(0.0);
   t_ = t;
   is_shown_ = true;
-  keep(profile, attitude);
+  blend(profile);
+  keep(profile, blended(attitude));
 }
 
 void RepresentativeMember::blend(core::StationProfile& profile) const

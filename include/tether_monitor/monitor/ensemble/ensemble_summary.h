@@ -57,7 +57,7 @@ class EnsembleSummary
   /// Along the stations.
   const std::vector<double>& tension() const { return tension_; }
   const std::vector<double>& tensionStddev() const { return tension_stddev_; }
-  /// About what is shown: the representative member and what it is blended with.
+  /// About the representative member and what it is blended with.
   const std::vector<core::Vector3>& positionStddev() const { return position_stddev_; }
   double maxElementRotation() const { return rotation_.median; }  ///< [rad]
   /// Of every obstacle: share of the members that touch it.

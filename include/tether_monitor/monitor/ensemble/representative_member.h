@@ -27,15 +27,15 @@ class RepresentativeMember
   int index() const { return index_; }  ///< NONE before the first choice.
 
   /**
-   * What is to be shown at time t [s].
+   * Turns the profile of the member into what is shown at time t [s], as blend() does.
    *
-   * @param profile  of the member that was chosen. @param attitude  of its vehicle.
+   * @param profile  in and out: of the member that was chosen. @param attitude  of its vehicle.
    * @param is_another  it, or its state, was another's before: the difference begins to fade.
    * @param fades       false: there is no difference, it is shown as it is.
    */
-  void show(double t, const core::StationProfile& profile, const Eigen::Quaterniond& attitude, bool is_another,
+  void show(double t, core::StationProfile& profile, const Eigen::Quaterniond& attitude, bool is_another,
             bool fades);
-  /// Turns the profile of the member into what is shown: forces keep their sizes.
+  /// The same for another profile of that member at that time: forces keep their sizes.
   void blend(core::StationProfile& profile) const;
   Eigen::Quaterniond blended(const Eigen::Quaterniond& attitude) const { return offset_.attitude * attitude; }
   /// What a station that is shown is off from that of the member [m].
@@ -66,7 +66,7 @@ class RepresentativeMember
 
   void differ(const core::StationProfile& profile, const Eigen::Quaterniond& attitude);
   void fade(double share);
-  void keep(const core::StationProfile& profile, const Eigen::Quaterniond& attitude);
+  void keep(const core::StationProfile& shown, const Eigen::Quaterniond& attitude);
 
   int index_ = NONE;
   bool is_shown_ = false;
